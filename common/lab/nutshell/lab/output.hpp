@@ -1,0 +1,63 @@
+// Where a chapter's program puts its results: files that are whole or absent, and numbers the book can quote.
+#pragma once
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace nutshell::lab {
+
+/// Writes `text` to `path`: to a temporary file beside it first, then renamed, so a reader never meets half a file.
+/// Makes the folder if it is missing. @throws std::runtime_error with the path and the reason if it cannot be written
+void write_file(const std::filesystem::path& path, std::string_view text);
+
+/// Machine, compiler and command, one `# key: value` line each: the first lines of every data file.
+std::string provenance(const std::string& command);
+
+/// A number with as many digits as it needs to be read back exactly.
+std::string exact_digits(double value);
+
+/// Columns of numbers or words with a name each: printed as a table, or written as CSV.
+struct Table {
+    std::vector<std::string> columns;
+    std::vector<std::vector<std::string>> rows;
+
+    /// Adds a row. Numbers go in by `exact_digits` (for data) or `rounded` (for the terminal).
+    void add(std::vector<std::string> cells);
+    std::string csv() const;   ///< cells quoted where they need it
+    std::string text() const;  ///< columns aligned for the terminal, numbers to the right
+};
+
+/// A number for the eye: printf's format, "%.3g" unless said.
+std::string rounded(double value, const char* format = "%.3g");
+
+/// A chapter's results: prints as it goes, collects the numbers of the book, writes files into one folder.
+class Report {
+  public:
+    /// @param folder  made if missing       @param command  what was typed, for the provenance
+    Report(std::filesystem::path folder, std::string command);
+
+    void heading(const std::string& title);  ///< a new part of the printed report
+    void say(const std::string& line);       ///< one printed line
+    void print(const Table& table);          ///< a table, indented
+    /// Keeps a number for numbers.csv, where the book finds it as NN_name/`name`. Prints nothing.
+    void number(const std::string& name, double value, const std::string& unit = "");
+    void data(const std::string& file, const Table& table);  ///< writes a CSV with provenance on top
+    /// The path of a result of this name, listed at the end; pictures and charts are written there by their own functions.
+    std::filesystem::path path(const std::string& file);
+    const std::string& command() const { return command_; }
+    void finish();  ///< writes numbers.csv and lists what was written
+
+  private:
+    std::filesystem::path folder_;
+    std::string command_;
+    Table numbers_{{"name", "value", "unit"}, {}};
+    std::vector<std::string> files_;
+};
+
+/// The frame of every chapter's main: reads `--out DIR` (default out/NAME), runs the chapter, and turns an exception
+/// into one line on stderr. @return the exit code: 0, 1 if the chapter failed, 2 if the arguments are wrong
+int program(int argc, char** argv, const std::string& name, const std::function<void(Report&)>& chapter);
+
+}  // namespace nutshell::lab
