@@ -1,0 +1,124 @@
+// Charts: fill in a Chart, get one self-contained SVG. No script, light and dark, same bytes every run.
+//
+//     Chart chart;
+//     chart.title = "Which method gives the most accuracy for the work?";
+//     chart.subtitle = "Planet, e = 0.6, one orbit. Down and left is better.";
+//     chart.x = {"force evaluations", Scale::logarithmic};
+//     chart.y = {"largest position error [m]", Scale::logarithmic};
+//     chart.series.push_back({"Euler", euler_cost, euler_error});
+//     chart.series.push_back({"Verlet", verlet_cost, verlet_error});
+//     chart.tolerance = {1e-3, "1 mm: a pixel at 2 m"};
+//     chart.guides = {-1, -2, -4};
+//     chart.ring_cheapest = true;
+//     write_svg(chart, "out/01_newton/planet.svg");
+//
+// Other kinds: a time series (leave the scales linear), an orbit (equal_aspect, Draw::ghost for the exact
+// one), regions of a plane (`regions`, with Draw::theory over them), and `bars` for costs against the
+// machine's floor.
+#pragma once
+#include <filesystem>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace nutshell::lab {
+
+enum class Scale { linear, logarithmic };
+
+inline constexpr double automatic = std::numeric_limits<double>::quiet_NaN();
+
+struct Axis {
+    std::string name = {};  ///< in words, with the unit: "largest position error [m]"
+    Scale scale = Scale::linear;
+    double from = automatic, to = automatic;  ///< ends of the axis; automatic = from the data
+};
+
+enum class Draw {
+    automatic,  ///< line and marks up to 40 points, a line beyond; ghost if the style's family is exact
+    line_and_marks,
+    line,
+    marks,
+    ghost,  ///< a broad pale line under the others: what they should have been
+    theory  ///< a thin dashed line of ink over the others: what a formula says
+};
+
+/// A curve. A point that is not finite breaks the line. A point that the chart cannot show (not finite, not
+/// positive on a logarithmic axis, beyond the axis' ends) becomes an arrow at the border, with how many and
+/// the first in its tooltip.
+struct Series {
+    std::string name = {};  ///< written beside its right end; empty = not written
+    std::vector<double> x = {}, y = {};
+    Draw draw = Draw::automatic;
+    std::string style = {};               ///< look like this method; empty = like `name`
+    std::vector<std::string> notes = {};  ///< for the tooltips, one a point: "dt = 1/60 s"
+};
+
+/// A value on an axis with a meaning: drawn as a thin line across the chart, its reason written on it.
+struct Level {
+    double value = 0;
+    std::string reason = {};
+};
+
+/// A circle round one point, with a word beside it.
+struct Ring {
+    double x = 0, y = 0;
+    std::string text = {};
+};
+
+/// The part of a plane where a function, given on a grid, is <= 0: for instance |R(z)| - 1 over z = lambda
+/// dt.
+struct Region {
+    std::string name = {};
+    double left = 0, right = 0, bottom = 0, top = 0;  ///< the grid's first and last columns and rows
+    int columns = 0, rows = 0;
+    std::vector<double> values =
+        {};                  ///< row by row from the bottom, each from the left; not finite = outside
+    std::string style = {};  ///< look like this method; empty = like `name`
+};
+
+/// One row of a bar chart: a bar from zero on a linear axis, a dot on a logarithmic one.
+struct Bar {
+    std::string name = {};
+    double value = 0;
+    double floor =
+        automatic;  ///< the least the machine could do: a tick; the ratio is written at the bar's end
+    std::string style = {};  ///< look like this method; empty = like `name`
+    std::string text = {};   ///< at the bar's end; empty = the value and its ratio to the floor
+};
+
+struct Chart {
+    std::string title = {};     ///< the question, or what was found
+    std::string subtitle = {};  ///< which scene; which way is better
+    Axis x = {}, y = {};
+    std::vector<Series> series = {};
+    std::vector<Region> regions = {};
+    std::vector<Bar> bars = {};           ///< alone on their chart; x is their axis
+    std::optional<Level> tolerance = {};  ///< on y: what the scene needs
+    std::vector<Level> levels_x = {}, levels_y = {};
+    std::vector<double> guides =
+        {};  ///< slopes d(log y)/d(log x) of a small fan, when both axes are logarithmic
+    std::string guide_name = "order";
+    bool ring_cheapest = false;  ///< ring the point that `cheapest` finds
+    std::vector<Ring> rings = {};
+    bool equal_aspect = false;      ///< one unit of x is as long as one of y; the height follows
+    int width = 640, height = 440;  ///< units of the picture; the height grows where labels need it
+    std::string name = {};  ///< makes the SVG's id, with a hash; write_svg takes the file's name when empty
+    std::string description = {};  ///< for readers who do not see it; empty = made from the data
+};
+
+/// The cheapest method that meets the chart's tolerance: the point with the least x whose y is at most the
+/// tolerance, and so is that of every point of its series with greater x. None without a tolerance or without
+/// such a point.
+std::optional<Ring> cheapest(const Chart& chart);
+
+/// The picture as text. @throws std::invalid_argument that names the chart, what is wrong and what to do:
+/// nothing to draw, lists of different lengths, a range that is not finite or not positive on a logarithmic
+/// axis, a grid of the wrong size
+std::string svg(const Chart& chart);
+
+/// Writes the picture, whole or not at all. @throws like `svg`, and std::runtime_error if the file cannot be
+/// written
+void write_svg(const Chart& chart, const std::filesystem::path& path);
+
+}  // namespace nutshell::lab

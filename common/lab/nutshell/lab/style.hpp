@@ -1,0 +1,41 @@
+// One look for each method on every chart: colour is the method's family, mark and dash its member.
+#pragma once
+#include <string>
+#include <string_view>
+
+namespace nutshell::lab {
+
+enum class Family {
+    explicit_one_step,  ///< Euler
+    symplectic,         ///< semi-implicit Euler, Verlet, Yoshida 4, Kahan-Li 8
+    runge_kutta,        ///< explicit midpoint, RK4, Dormand-Prince 5(4)
+    implicit,           ///< implicit Euler, implicit midpoint
+    exponential,        ///< exponential kicks, Magnus
+    exact,              ///< exact, exact propagator
+    peer,               ///< other engines, all grey
+    reference,          ///< theory, the machine's floor
+    plain               ///< not a method: "30 Hz", "60 Hz"
+};
+
+enum class Mark { circle, square, triangle, diamond, triangle_down, star, plus, cross };
+
+/// How one series looks. Each colour has a contrast of at least 4.5 with its paper, so its name can be
+/// written in it.
+struct Style {
+    Family family = Family::plain;
+    Mark mark = Mark::circle;
+    bool hollow = false;     ///< a variant of the method whose mark it has
+    std::string light = {};  ///< colour on white paper, as #RRGGBB
+    std::string dark = {};   ///< colour on dark paper
+    std::string dash = {};   ///< SVG stroke-dasharray, empty = solid
+};
+
+/// The look of a method. Case and the kind of hyphen do not matter. "Verlet, naive" or "Verlet (naive)" is a
+/// variant of Verlet: its colour and mark, hollow and finely dashed. A name that is no method gets the plain
+/// style of this number.
+Style style_of(std::string_view name, int plain_number = 0);
+
+/// True if `name` (or what stands before its comma or bracket) is in the course's table of methods.
+bool is_method(std::string_view name);
+
+}  // namespace nutshell::lab
