@@ -1,6 +1,7 @@
 // Catch2 v2 (Debian 12) and v3 (newer) look the same from here on, and a check of an order explains itself.
 #pragma once
 #if __has_include(<catch2/catch_all.hpp>)
+#include <catch2/catch_approx.hpp>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators_all.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
@@ -8,6 +9,7 @@
 #include <catch2/matchers/catch_matchers_templated.hpp>
 template <class T>
 using MatcherOf = Catch::Matchers::MatcherBase<T>;
+using Catch::Approx;   // v2 has it in the global namespace already
 using Catch::Matchers::ContainsSubstring;
 #else
 #include <catch2/catch.hpp>
