@@ -1,0 +1,61 @@
+#!/bin/sh
+# Weaves the book: pages, code, numbers, pictures and charts into static HTML that opens from disk.
+#   book/build.sh [--out DIR] [--results DIR] [--pages DIR] [--root DIR]
+#   --out      where the book goes                        (out/book)
+#   --results  where the chapters' programs have written  (out)
+#   --pages    where the pages and errata.csv are         (book)
+#   --root     where the quoted sources are               (the project)
+# A page that quotes something unknown stops the build: every complaint has a file, a line and what to do.
+# The old book stays in place until the new one is complete. How to write a page: book/HOWTO.md.
+set -eu
+here=$(CDPATH= cd "$(dirname "$0")" && pwd)
+root=$(dirname "$here"); pages=$here; out=; results=
+usage() { sed -n '2,6s/^# \{0,1\}//p' "$0"; }
+while [ $# -gt 0 ]; do
+    case $1 in
+        --out|--results|--pages|--root)
+            [ $# -ge 2 ] || { echo "book: $1 wants a folder" >&2; exit 2; }
+            case $1 in --out) out=$2;; --results) results=$2;; --pages) pages=$2;; --root) root=$2;; esac
+            shift 2;;
+        -h|--help) usage; exit 0;;
+        *) echo "book: unknown argument '$1'" >&2; usage >&2; exit 2;;
+    esac
+done
+: "${results:=$root/out}" "${out:=$root/out/book}"
+
+# --- what is needed ----------------------------------------------------------------------------------------------
+for tool in pandoc node; do
+    command -v $tool >/dev/null || { echo "book: $tool is missing: apt-get install pandoc nodejs libjs-katex fonts-lato" >&2; exit 3; }
+done
+for katex in ${KATEX_DIR:-} /usr/share/javascript/katex /usr/share/nodejs/katex/dist; do
+    if [ -f "$katex/katex.js" ] && [ -f "$katex/katex.css" ]; then break; fi
+    katex=
+done
+[ -n "$katex" ] || { echo "book: KaTeX is missing: apt-get install libjs-katex" >&2; exit 3; }
+
+# --- weave into a folder beside the goal, then swap --------------------------------------------------------------
+mkdir -p "$(dirname "$out")" && next=$(mktemp -d "$out.next.XXXXXX") || { echo "book: cannot write $out" >&2; exit 1; }
+trap 'rm -rf "$next"' EXIT
+trap 'exit 130' INT TERM
+list=
+for page in "$pages"/index.md "$pages"/[0-9][0-9]_*.md "$pages"/notation.md "$pages"/errata.md; do
+    [ -f "$page" ] && list="$list $(basename "$page" .md)"
+done
+[ -n "$list" ] || { echo "book: no pages in $pages" >&2; exit 1; }
+
+BOOK_LIST=$list BOOK_PAGES=$pages BOOK_ROOT=$root BOOK_RESULTS=$results BOOK_OUT=$next BOOK_HERE=$here \
+    pandoc --from markdown --to plain --lua-filter "$here/weave/book.lua" --output /dev/null /dev/null
+node "$here/weave/katex.cjs" "$katex" "$next"
+cp "$here/style/book.css" "$next/"
+mkdir -p "$next/fonts"
+for face in Lato-Regular Lato-Bold Lato-Italic; do
+    font=$(find -L /usr/share/fonts -name "$face.ttf" 2>/dev/null | head -n 1)
+    if [ -n "$font" ]; then cp -L "$font" "$next/fonts/"; else echo "book: $face.ttf is missing (fonts-lato)" >&2; exit 3; fi
+done
+
+chmod 755 "$next"
+if [ -e "$out" ]; then rm -rf "$out.old" && mv "$out" "$out.old"; fi
+mv "$next" "$out"
+rm -rf "$out.old"
+trap - EXIT
+echo "book: $out/index.html"

@@ -1,0 +1,129 @@
+-- book.lua: weaves all pages of the book in one run of pandoc (2.17 and newer). Called by build.sh.
+-- Pass 1 reads the pages and numbers what can be referred to; pass 2 weaves and writes. What a page may say: HOWTO.md.
+-- The parts: report.lua (complaints with line), regions.lua (code), numbers.lua, figures.lua, errata.lua, boxes.lua, page.lua.
+local env = function(name) return os.getenv("BOOK_" .. name) end
+local here = env("HERE") .. "/weave/"
+Book = {pages_dir = env("PAGES"), root = env("ROOT"), results = env("RESULTS"), out = env("OUT"), here = env("HERE"),
+        pages = {}, sources = {}}
+Report = dofile(here .. "report.lua")
+Csv = dofile(here .. "csv.lua")
+Regions = dofile(here .. "regions.lua")
+Numbers = dofile(here .. "numbers.lua")
+Figures = dofile(here .. "figures.lua")
+Errata = dofile(here .. "errata.lua")
+Labels = dofile(here .. "labels.lua")
+Boxes = dofile(here .. "boxes.lua")
+Page = dofile(here .. "page.lua")
+
+-- Images stay images: a picture alone in its paragraph is a figure, in every version of pandoc the same way.
+local markdown = "markdown-implicit_figures-latex_macros"
+
+local function raw(html) return pandoc.RawInline("html", html) end
+local function raw_block(html) return pandoc.RawBlock("html", html) end
+
+--- Formulas are only marked here; katex.cjs sets them, and knows from data-at whom to blame.
+local function math(page, m)
+    local at = Report.line(page, m.text)
+    local tex = m.text:gsub("\\num%s*(%b{})", function(spec) return Numbers.tex(page, spec:sub(2, -2), at) end)
+    local display = m.mathtype == "DisplayMath" and " display" or ""
+    return raw(('<span class="tex%s" data-at="%s:%d">%s</span>'):format(display, page.file, at, Page.escape(tex)))
+end
+
+local function code(page, block)
+    local spec = block.attributes.region
+    if not spec then return nil end
+    local region = Regions.take(page, spec)
+    if not region then return {} end
+    local language = block.classes[1] or Regions.language(region.path)
+    local link = ("source/%s.html#L-%d"):format(region.path, region.first)
+    return {raw_block('<div class="code">'), pandoc.CodeBlock(region.text, {class = language}),
+            raw_block(('<p class="from"><a href="%s">%s</a></p></div>'):format(link, Page.escape(region.path .. region.suffix)))}
+end
+
+--- Links between pages are written to the Markdown files; here they become links between the HTML pages.
+local function link(page, l)
+    if l.target:find("^%a+:") then return nil end
+    local name, anchor = l.target:match("^([^#]*)#?(.*)$")
+    name = name:gsub("%.md$", "")
+    page.links[#page.links + 1] = {target = l.target, at = Report.line(page, l.target), page = name ~= "" and name or page.name,
+                                   anchor = anchor}
+    l.target = (name ~= "" and name .. ".html" or "") .. (anchor ~= "" and "#" .. anchor or "")
+    return l
+end
+
+local function header(page, h)
+    local number = page.section_numbers[h.identifier]
+    if number and h.level == 2 then
+        h.content:insert(1, raw(('<a class="secno" href="#%s">%s</a> '):format(h.identifier, number)))
+    end
+    return h
+end
+
+local function paragraph(page, p)
+    if #p.content == 1 and p.content[1].t == "Image" then return Figures.figure(page, p.content[1]) end
+    for _, inline in ipairs(p.content) do
+        if inline.t == "Image" then
+            Report.add(page, Report.line(page, inline.src), "the picture " .. inline.src .. " shares its paragraph with text: put empty lines round it")
+        end
+    end
+end
+
+local function weave(page)
+    local inlines = {
+        Math = function(m) return math(page, m) end,
+        RawInline = function(r) if r.format == "num" then return raw(Numbers.html(page, r.text, Report.line(page, r.text))) end end,
+        Cite = function(c) return Labels.resolve(page, c) end,
+        Link = function(l) return link(page, l) end,
+    }
+    local blocks = {
+        CodeBlock = function(b) return code(page, b) end,
+        Header = function(h) return header(page, h) end,
+        Para = function(p) return paragraph(page, p) end,
+        Table = function(t) return {raw_block('<div class="scroll">'), t, raw_block("</div>")} end,
+        Div = function(d) return Boxes.div(page, d) end,
+    }
+    page.inlines = inlines
+    page.doc = page.doc:walk(inlines)
+    for _, entry in ipairs(page.contents) do entry.content = pandoc.Inlines(entry.content):walk(inlines) end
+    page.doc = page.doc:walk(blocks)
+    page.body = pandoc.write(page.doc, "html5", {wrap_text = "wrap-none"})
+end
+
+local function check_links()
+    local ids = {}
+    for _, page in ipairs(Book.pages) do
+        ids[page.name] = {}
+        for id in page.body:gmatch('%sid="([^"]*)"') do ids[page.name][id] = true end
+    end
+    for _, page in ipairs(Book.pages) do
+        for _, l in ipairs(page.links) do
+            if not ids[l.page] then
+                Report.add(page, l.at, ("the link %s leads to no page of this book"):format(l.target))
+            elseif l.anchor ~= "" and not ids[l.page][l.anchor] then
+                Report.add(page, l.at, ("the link %s leads to no place: page %s has no id '%s'"):format(l.target, l.page, l.anchor))
+            end
+        end
+    end
+end
+
+local function write_all()
+    for _, page in ipairs(Book.pages) do Page.write(page.name .. ".html", Page.fill(page)) end
+    for path in pairs(Book.sources) do Page.write_source(path) end
+end
+
+function Pandoc()
+    for name in env("LIST"):gmatch("%S+") do
+        local page = {name = name, file = name .. ".md", links = {}, chapter = tonumber(name:match("^(%d%d)_"))}
+        page.text = Page.read(Book.pages_dir .. "/" .. page.file)
+        page.doc = pandoc.read(page.text, markdown)
+        Book.pages[#Book.pages + 1] = page
+    end
+    Errata.load()
+    for _, page in ipairs(Book.pages) do Labels.number(page) end
+    for _, page in ipairs(Book.pages) do weave(page) end
+    check_links()
+    Errata.check_pages()
+    Report.finish()
+    write_all()
+    return pandoc.Pandoc {}
+end

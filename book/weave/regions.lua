@@ -1,0 +1,87 @@
+-- Code quoted from the sources by the name of a region: the lines between "// [name]" and "// [/name]",
+-- or, for the name "1.3", between "// exercise 1.3" and "// end 1.3". Marks themselves are never shown.
+local Regions = {}
+local files = {}
+
+local function mark(line)          -- "open"|"close", name
+    local text = line:match("^%s*//%s*(.-)%s*$") or line:match("^%s*#%s*(.-)%s*$")
+    if not text then return nil end
+    local name = text:match("^%[/([%w_.-]+)%]$")
+    if name then return "close", name end
+    name = text:match("^%[([%w_.-]+)%]$")
+    if name then return "open", name end
+    name = text:match("^exercise%s+(%d+%.%d+)$")
+    if name then return "open", name end
+    name = text:match("^end%s+(%d+%.%d+)$")
+    if name then return "close", name end
+end
+
+local function load(path)
+    if files[path] ~= nil then return files[path] end
+    local text = Page.read(Book.root .. "/" .. path, true)
+    if not text then files[path] = false; return false end
+    local file = {lines = {}, regions = {}, text = text}
+    for line in (text:gsub("\r\n", "\n"):gsub("\n?$", "\n")):gmatch("(.-)\n") do
+        local n = #file.lines + 1
+        local kind, name = mark(line)
+        file.lines[n] = {text = line, mark = kind ~= nil}
+        if kind == "open" then
+            if file.regions[name] then file.regions[name].twice = true else file.regions[name] = {first = n + 1} end
+        elseif kind == "close" and file.regions[name] then
+            file.regions[name].last = n - 1
+        end
+    end
+    files[path] = file
+    return file
+end
+
+--- The text of "path#name" (or of a whole file), its indent taken away; nil after a complaint.
+function Regions.take(page, spec)
+    local at = Report.line(page, spec)
+    local path, name = spec:match("^([^#]+)#(.+)$")
+    path = path or spec
+    local file = load(path)
+    if not file then
+        Report.add(page, at, ("region \"%s\": there is no file %s"):format(spec, path))
+        return nil
+    end
+    local region = name and file.regions[name] or {first = 1, last = #file.lines}
+    if name and not file.regions[name] then
+        Report.add(page, at, ("region \"%s\": no region '%s' in %s (%s)"):format(spec, name, path,
+            Report.names(file.regions, "it has none: put // [" .. name .. "] and // [/" .. name .. "] round the lines")))
+        return nil
+    elseif not region.last then
+        Report.add(page, at, ("region \"%s\": the region is opened and never closed in %s"):format(spec, path))
+        return nil
+    elseif region.twice then
+        Report.add(page, at, ("region \"%s\": the name is opened twice in %s"):format(spec, path))
+        return nil
+    end
+    local lines, indent, first = {}, 999, nil
+    for n = region.first, region.last do
+        if not file.lines[n].mark then
+            local text = file.lines[n].text
+            if text:find("%S") then
+                first = first or n
+                indent = math.min(indent, #text:match("^%s*"))
+            end
+            if first then lines[#lines + 1] = text end
+        end
+    end
+    while #lines > 0 and not lines[#lines]:find("%S") do lines[#lines] = nil end
+    if #lines == 0 then
+        Report.add(page, at, ("region \"%s\": the region is empty"):format(spec))
+        return nil
+    end
+    for i, text in ipairs(lines) do lines[i] = text:sub(indent + 1) end
+    Book.sources[path] = file.text
+    local suffix = name and (name:find("^%d+%.%d+$") and ", exercise " .. name or ", " .. name) or ""
+    return {text = table.concat(lines, "\n"), path = path, first = first, suffix = suffix}
+end
+
+function Regions.language(path)
+    local by_ending = {hpp = "cpp", cpp = "cpp", h = "cpp", sh = "bash", txt = "cmake", lua = "lua", csv = "default"}
+    return by_ending[path:match("%.(%w+)$") or ""] or (path:find("[^.]*$") and "bash")
+end
+
+return Regions
