@@ -35,7 +35,7 @@ struct Axis {
 };
 
 enum class Draw {
-    automatic,  ///< line and marks up to 40 points, a line beyond; ghost if the style's family is exact
+    as_suits,  ///< line and marks up to 40 points, a line beyond; ghost if the style's family is exact
     line_and_marks,
     line,
     marks,
@@ -49,7 +49,7 @@ enum class Draw {
 struct Series {
     std::string name = {};  ///< written beside its right end; empty = not written
     std::vector<double> x = {}, y = {};
-    Draw draw = Draw::automatic;
+    Draw draw = Draw::as_suits;
     std::string style = {};               ///< look like this method; empty = like `name`
     std::vector<std::string> notes = {};  ///< for the tooltips, one a point: "dt = 1/60 s"
 };

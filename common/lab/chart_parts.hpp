@@ -1,0 +1,166 @@
+// The parts a chart is made of; used by chart*.cpp only. Lengths are units of the picture, y downwards.
+#pragma once
+#include <nutshell/lab/chart.hpp>
+#include <nutshell/lab/style.hpp>
+
+#include <string_view>
+
+namespace nutshell::lab::parts {
+
+struct Point {
+    double x = 0, y = 0;
+};
+
+struct Box {
+    double left = 0, top = 0, right = 0, bottom = 0;
+    double width() const { return right - left; }
+    double height() const { return bottom - top; }
+};
+
+using Line = std::vector<Point>;
+
+// --- text (chart_text.cpp)
+// ---------------------------------------------------------------------------------------
+inline constexpr double heading_size = 20, text_size = 16, tick_size = 15, note_size = 15, line_height = 20;
+
+/// Width of text set in bold Lato: an upper bound for the regular weight, and for the fonts named after it
+/// nearly so.
+double text_width(std::string_view utf8, double size);
+std::vector<std::string> wrapped(std::string_view utf8, double size, double width);
+std::string escaped(std::string_view text);
+std::string unit(double length);                          ///< at most one decimal
+std::string decimal(double value, int decimals);          ///< a real minus, thin spaces between thousands
+std::string spoken(double value);                         ///< four digits, for tooltips
+std::string power_of_ten(double mantissa, int exponent);  ///< as SVG
+double width_of_markup(std::string_view markup, double size);
+
+// --- axes (chart_axes.cpp)
+// ---------------------------------------------------------------------------------------
+struct Range {
+    double from = 0, to = 1;
+};
+
+/// Takes a value to its place: a linear or logarithmic scale whose `from` lies at `low` and `to` at `high`.
+struct Ruler {
+    Scale scale = Scale::linear;
+    Range range;
+    double low = 0, high = 1;
+    bool takes(double value) const;  ///< finite, and positive if logarithmic
+    bool shows(double value) const;  ///< and between the ends
+    double operator()(double value) const;
+};
+
+struct Tick {
+    double value;
+    std::string markup;
+};
+
+struct Frame {
+    Box plot;
+    Ruler x, y;
+    Point operator()(double u, double v) const { return {x(u), y(v)}; }
+};
+
+Range range_of_x(const Chart& chart);
+Range range_of_y(const Chart& chart);
+/// Ticks at round values, such that their labels stay apart: `along` the axis' length, `horizontal` for x.
+std::vector<Tick> ticks(Scale scale, Range range, double along, bool horizontal);
+std::string draw_grid(const Chart& chart, const Frame& frame);
+
+// --- geometry and labels (chart_labels.cpp)
+// ----------------------------------------------------------------------
+/// The part of a segment inside a box, if any (Liang-Barsky).
+std::optional<std::pair<Point, Point>> clipped(Point a, Point b, const Box& box);
+/// Drops points that lie within `tolerance` of the line without them (Ramer-Douglas-Peucker).
+Line simplified(const Line& line, double tolerance);
+
+/// What text must not be written over.
+struct Obstacles {
+    std::vector<Line> lines;
+    std::vector<Box> boxes;
+    double clutter(const Box& box) const;  ///< length of line in the box, and a lot for other text
+};
+/// The candidate with the least clutter, the first of equals.
+std::size_t freest(const std::vector<Box>& candidates, const Obstacles& obstacles);
+
+/// A name in the right margin, tied to a point of its curve.
+struct Label {
+    std::size_t owner = 0;
+    std::vector<std::string> lines = {};
+    Point anchor = {};
+    double middle = 0;  ///< where it was put
+    double height() const { return line_height * static_cast<double>(lines.size()); }
+};
+/// Puts labels as near to their anchors as they can be without overlapping, between top and bottom, and so
+/// that no two hairlines cross.
+void arrange(std::vector<Label>& labels, double hairline_end, double top, double bottom);
+std::string draw_label(const Label& label, double x);
+std::string draw_text(const std::string& css_class, double x, double y, std::string_view text,
+                      const char* anchor = "start");
+
+// --- series (chart_series.cpp)
+// -----------------------------------------------------------------------------------
+enum class Side {
+    inside,
+    top,
+    bottom,
+    left,
+    right,
+    beyond
+};  ///< beyond: outside of x, where the caller looks away
+
+struct Arrow {
+    Side side;
+    Point at;
+    std::size_t first, count;
+};
+
+/// A series as it will be drawn.
+struct Trace {
+    Style style;
+    Draw draw;
+    std::vector<Line> lines;
+    std::vector<std::pair<Point, std::size_t>> marks;  ///< and the index of their data
+    std::vector<Arrow> arrows;
+    Point anchor;  ///< its right end
+};
+std::vector<Style> styles_of(const Chart& chart);
+Trace trace(const Chart& chart, const Series& series, const Style& style, const Frame& frame);
+std::string draw_series(const Chart& chart, const Series& series, const Trace& trace);
+std::string open_group(const Style& style, const char* css_class);
+std::string path(const std::vector<Line>& lines, bool closed = false);
+std::string draw_mark(const Style& style, Point at, const std::string& title);
+
+// --- regions (chart_regions.cpp)
+// ---------------------------------------------------------------------------------
+struct Contour {
+    Style style;
+    std::vector<Line> fill,
+        outline;  ///< the outline leaves out what only closes the fill at the grid's border
+    Point anchor;
+};
+Contour contour(const Region& region, const Style& style, const Frame& frame);
+std::string draw_region(const Region& region, const Contour& contour);
+/// A free place inside a region for its name: in no smaller region, over no line. None if there is none.
+std::optional<Box> place_inside(const Chart& chart, std::size_t region, const Frame& frame,
+                                const Obstacles& obstacles);
+
+// --- levels, guides, rings (chart_notes.cpp)
+// ---------------------------------------------------------------------
+std::string draw_levels(const Chart& chart, const Frame& frame, Obstacles& obstacles);
+std::string draw_guides(const Chart& chart, const Frame& frame, Obstacles& obstacles);
+std::string draw_rings(const Chart& chart, const Frame& frame, Obstacles& obstacles);
+
+// --- bars (chart_bars.cpp)
+// ---------------------------------------------------------------------------------------
+/// `width` may grow; `height` receives the picture's.
+std::string draw_bars(const Chart& chart, double& width, double& height, double top);
+
+// --- the whole (chart_document.cpp, chart.cpp)
+// -------------------------------------------------------------------
+/// The SVG round a drawing: root, title and description, style sheet, paper.
+std::string document(const Chart& chart, const std::string& id, double width, double height,
+                     const std::string& body, const std::string& told);
+[[noreturn]] void refuse(const Chart& chart, const std::string& what);
+
+}  // namespace nutshell::lab::parts
