@@ -8,6 +8,7 @@
 # A page that quotes something unknown stops the build: every complaint has a file, a line and what to do.
 # The old book stays in place until the new one is complete. How to write a page: book/HOWTO.md.
 set -eu
+export LC_ALL=C.UTF-8
 here=$(CDPATH= cd "$(dirname "$0")" && pwd)
 root=$(dirname "$here"); pages=$here; out=; results=
 usage() { sed -n '2,6s/^# \{0,1\}//p' "$0"; }
@@ -43,9 +44,12 @@ for page in "$pages"/index.md "$pages"/[0-9][0-9]_*.md "$pages"/notation.md "$pa
 done
 [ -n "$list" ] || { echo "book: no pages in $pages" >&2; exit 1; }
 
-BOOK_LIST=$list BOOK_PAGES=$pages BOOK_ROOT=$root BOOK_RESULTS=$results BOOK_OUT=$next BOOK_HERE=$here \
-    pandoc --from markdown --to plain --lua-filter "$here/weave/book.lua" --output /dev/null /dev/null
-node "$here/weave/katex.cjs" "$katex" "$next"
+case $pages in "$root"/*) prefix=${pages#"$root"/}/;; *) prefix=$pages/;; esac
+bad=0
+BOOK_LIST=$list BOOK_PREFIX=$prefix BOOK_PAGES=$pages BOOK_ROOT=$root BOOK_RESULTS=$results BOOK_OUT=$next BOOK_HERE=$here \
+    pandoc --from markdown --to plain --lua-filter "$here/weave/book.lua" --output /dev/null /dev/null || bad=1
+node "$here/weave/katex.cjs" "$katex" "$next" || bad=1
+[ $bad = 0 ] || { echo "book: the complaints above stop the build; nothing was written to $out" >&2; exit 1; }
 cp "$here/style/book.css" "$next/"
 mkdir -p "$next/fonts"
 for face in Lato-Regular Lato-Bold Lato-Italic; do

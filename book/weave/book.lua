@@ -4,7 +4,7 @@
 local env = function(name) return os.getenv("BOOK_" .. name) end
 local here = env("HERE") .. "/weave/"
 Book = {pages_dir = env("PAGES"), root = env("ROOT"), results = env("RESULTS"), out = env("OUT"), here = env("HERE"),
-        pages = {}, sources = {}}
+        prefix = env("PREFIX"), pages = {}, sources = {}}
 Report = dofile(here .. "report.lua")
 Csv = dofile(here .. "csv.lua")
 Regions = dofile(here .. "regions.lua")
@@ -15,8 +15,8 @@ Labels = dofile(here .. "labels.lua")
 Boxes = dofile(here .. "boxes.lua")
 Page = dofile(here .. "page.lua")
 
--- Images stay images: a picture alone in its paragraph is a figure, in every version of pandoc the same way.
-local markdown = "markdown-implicit_figures-latex_macros"
+-- Images stay images: a picture alone in its paragraph is a figure, in every version of pandoc the same way. "(8)" begins no list.
+local markdown = "markdown-implicit_figures-latex_macros-fancy_lists-example_lists"
 
 local function raw(html) return pandoc.RawInline("html", html) end
 local function raw_block(html) return pandoc.RawBlock("html", html) end
@@ -26,7 +26,7 @@ local function math(page, m)
     local at = Report.line(page, m.text)
     local tex = m.text:gsub("\\num%s*(%b{})", function(spec) return Numbers.tex(page, spec:sub(2, -2), at) end)
     local display = m.mathtype == "DisplayMath" and " display" or ""
-    return raw(('<span class="tex%s" data-at="%s:%d">%s</span>'):format(display, page.file, at, Page.escape(tex)))
+    return raw(('<span class="tex%s" data-at="%s%s:%d">%s</span>'):format(display, Book.prefix, page.file, at, Page.escape(tex)))
 end
 
 local function code(page, block)
@@ -123,7 +123,7 @@ function Pandoc()
     for _, page in ipairs(Book.pages) do weave(page) end
     check_links()
     Errata.check_pages()
-    Report.finish()
     write_all()
+    if Report.finish() then os.exit(1) end
     return pandoc.Pandoc {}
 end

@@ -70,6 +70,8 @@ function Boxes.div(page, div)
     if class == "reveal" then
         local title = Page.escape(div.attributes.title or "What happens")
         return open_close('<details><summary>' .. title .. '</summary><div class="answer">', div.content, "</div></details>")
+    elseif class == "chapters" then
+        return Page.chapter_list()
     elseif class == "errata-table" then
         return Errata.rows(page)
     elseif titles[class] then
@@ -77,7 +79,7 @@ function Boxes.div(page, div)
     elseif plain[class] then
         return open_close(('<div class="%s">'):format(class), div.content, "</div>")
     end
-    local known = {reveal = true}
+    local known = {reveal = true, chapters = true, ["errata-table"] = true}
     for name in pairs(titles) do known[name] = true end
     for name in pairs(plain) do known[name] = true end
     Report.add(page, Report.line(page, class), ("there is no box '%s' (%s)"):format(class, Report.names(known)))

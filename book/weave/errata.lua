@@ -101,7 +101,7 @@ function Errata.rows(page)
     for k, f in pairs(page.inlines) do woven[k] = f end
     woven.Math = function(m)
         local display = m.mathtype == "DisplayMath" and " display" or ""
-        return pandoc.RawInline("html", ('<span class="tex%s" data-at="errata.csv:%d">%s</span>'):format(display, Report.line(as_page, m.text), Page.escape(m.text)))
+        return pandoc.RawInline("html", ('<span class="tex%s" data-at="%serrata.csv:%d">%s</span>'):format(display, Book.prefix, Report.line(as_page, m.text), Page.escape(m.text)))
     end
     return pandoc.Blocks(out):walk(woven)
 end

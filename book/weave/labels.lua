@@ -51,7 +51,7 @@ local function equation(page, div)
     end
     local erratum = div.attributes.erratum
     if star and not erratum then
-        Report.add(page, Report.line(page, div.identifier),
+        Report.add(page, Report.line(page, "#" .. div.identifier),
             ("equation %s is a corrected one: say which erratum, {#%s erratum=E..}"):format(text, div.identifier))
     end
 end

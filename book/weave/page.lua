@@ -46,16 +46,28 @@ local function contents_of(page)
     return "<ol>" .. table.concat(items) .. "</ol>"
 end
 
---- Chapters to come, named in index.md: "coming:" followed by lines "- 4 Rotations"
-local function coming()
-    local list, present = {}, {}
-    for _, page in ipairs(Book.pages) do if page.chapter then present[page.chapter] = true end end
-    local meta = Book.pages[1].doc.meta.coming or {}
-    for _, item in ipairs(meta) do
-        local number, title = pandoc.utils.stringify(item):match("^(%d+)%s+(.+)$")
-        if number and not present[tonumber(number)] then list[#list + 1] = {number = number, title = title} end
+--- All chapters, those to come included, as index.md's header names them: "chapters:", then lines "- 4 Rotations. What it is about."
+function Page.chapters()
+    local list, by_number = {}, {}
+    for _, page in ipairs(Book.pages) do if page.chapter then by_number[page.chapter] = page end end
+    for _, item in ipairs(Book.pages[1].doc.meta.chapters or {}) do
+        local number, title, about = pandoc.utils.stringify(item):match("^(%d+)%s+([^.]+)%.%s*(.*)$")
+        if number then
+            list[#list + 1] = {number = number, title = title, about = about, page = by_number[tonumber(number)]}
+        end
     end
     return list
+end
+
+--- The chapters with what they are about, for the front page.
+function Page.chapter_list()
+    local items = {}
+    for _, c in ipairs(Page.chapters()) do
+        local title = Page.escape(c.page and c.page.title or c.title)
+        items[#items + 1] = ('<li class="%s"><span class="no">%s</span><div><b>%s</b> %s</div></li>'):format(c.page and "here" or "coming", c.number,
+            c.page and ('<a href="%s.html">%s</a>'):format(c.page.name, title) or title .. " <i>(coming)</i>", Page.escape(c.about))
+    end
+    return pandoc.RawBlock("html", '<ol class="chapter-list">' .. table.concat(items) .. "</ol>")
 end
 
 local function navigation(current)
@@ -69,8 +81,10 @@ local function navigation(current)
                 Page.escape(page.title), here and page.chapter and contents_of(page) or ""))
     end
     for _, page in ipairs(Book.pages) do if page.chapter then entry(page) end end
-    for _, c in ipairs(coming()) do
-        add("chapter coming", ('<span><span class="no">%s</span>%s</span>'):format(c.number, Page.escape(c.title)))
+    for _, c in ipairs(Page.chapters()) do
+        if not c.page then
+            add("chapter coming", ('<span><span class="no">%s</span>%s</span>'):format(c.number, Page.escape(c.title)))
+        end
     end
     for _, page in ipairs(Book.pages) do if not page.chapter and page.name ~= "index" then entry(page) end end
     return '<ol class="pages">' .. table.concat(items) .. "</ol>"

@@ -22,18 +22,17 @@ function Report.add(page, line, message)
     complaints[#complaints + 1] = {file = page.file, line = line, message = message, order = #complaints}
 end
 
+--- Prints them, sorted. @return true if there were any
 function Report.finish()
-    if #complaints == 0 then return end
     table.sort(complaints, function(a, b)
         if a.file ~= b.file then return a.file < b.file end
         if a.line ~= b.line then return a.line < b.line end
         return a.order < b.order
     end)
     for _, c in ipairs(complaints) do
-        io.stderr:write(("%s:%d: %s\n"):format(c.file, c.line, c.message))
+        io.stderr:write(("%s%s:%d: %s\n"):format(Book.prefix, c.file, c.line, c.message))
     end
-    io.stderr:write(("book: %d complaint%s; nothing was written\n"):format(#complaints, #complaints == 1 and "" or "s"))
-    os.exit(1)
+    return #complaints > 0
 end
 
 --- "it has: a, b, c", for complaints about names
@@ -41,6 +40,7 @@ function Report.names(set, none)
     local list = {}
     for name in pairs(set) do list[#list + 1] = name end
     table.sort(list)
+    if #list > 12 then list = {table.unpack(list, 1, 12)}; list[13] = "…" end
     return #list > 0 and ("it has: " .. table.concat(list, ", ")) or none
 end
 
