@@ -1,0 +1,70 @@
+// A drawing's things as pieces of one list of triangles, in the units and about the point that OpenGL works
+// in.
+#pragma once
+#include <Eigen/Dense>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "geometry.hpp"
+#include "nutshell/picture/camera.hpp"
+#include "nutshell/picture/drawing.hpp"
+#include "view.hpp"
+
+namespace nutshell::picture {
+
+/// Where OpenGL's origin lies and how long its unit is: the drawing's middle and radius. Positions are taken
+/// there in double precision, so a drawing looks the same in centimetres, in kilometres, and far from the
+/// world's origin.
+struct Frame {
+    Eigen::Vector3d origin;
+    double unit;
+    Eigen::Vector3d operator()(const Eigen::Vector3d& point) const { return (point - origin) / unit; }
+};
+Frame frame_of(const Drawing& drawing, const Camera& camera);
+
+/// The sRGB colour as an amount of light.
+Eigen::Vector3f linear(const Colour& colour);
+
+/// One thing: a run of vertices, where they stand, and how they look.
+struct Piece {
+    int first = 0, count = 0;
+    Eigen::Matrix4f model = Eigen::Matrix4f::Identity();
+    Eigen::Matrix3f normal_matrix = Eigen::Matrix3f::Identity();
+    Eigen::Vector3f colour;  ///< linear
+    bool ghost = false, shines = false, shadow = true;
+    Extent extent{};  ///< about which point and how far it reaches, in the frame
+};
+
+/// All of a drawing's pieces. @param pixel the angle that one sample of the picture spans [rad]
+class Pieces {
+  public:
+    Pieces(const Drawing& drawing, const Frame& frame, const View& view, double pixel);
+    const Vertices& vertices() const { return vertices_; }
+    const std::vector<Piece>& all() const { return pieces_; }
+    /// What casts shadows, for the shadow map to hold: bounding balls, in the frame.
+    const std::vector<Extent>& casters() const { return casters_; }
+
+  private:
+    struct Run {
+        int first, count;
+    };
+    enum class Shape { ball, rod, cone };
+    Run append(const Vertices& vertices);
+    Run shared(Shape shape, int detail);
+    void place(Run run, const Eigen::Matrix3d& linear, const Eigen::Vector3d& at, const Piece& look);
+    void add_bar(Shape shape, const Eigen::Vector3d& from, const Eigen::Vector3d& to, double radius,
+                 const Piece& look);
+    int detail(const Eigen::Vector3d& at, double radius) const;
+    void add_arrow(const Arrow& arrow);
+
+    const Frame frame_;
+    const View view_;
+    const double pixel_;
+    Vertices vertices_;
+    std::vector<Piece> pieces_;
+    std::vector<Extent> casters_;
+    std::map<std::pair<Shape, int>, Run> shared_;
+};
+
+}  // namespace nutshell::picture

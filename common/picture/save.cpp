@@ -1,0 +1,87 @@
+// Pictures and their notes on disk.
+#include <cstdio>
+#include <fstream>
+#include <iostream>
+
+#include "nutshell/picture/image.hpp"
+#include "png.hpp"
+
+namespace nutshell::picture {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Whole or not at all: written under another name in the same folder, then renamed.
+void write_file(const fs::path& file, const std::string& bytes) {
+    const fs::path half = fs::path(file) += ".part";
+    std::error_code problem;
+    if (file.has_parent_path()) fs::create_directories(file.parent_path(), problem);
+    std::ofstream out(half, std::ios::binary);
+    out.write(bytes.data(), std::streamsize(bytes.size()));
+    out.close();
+    if (out) {
+        fs::rename(half, file, problem);
+        if (!problem) return;
+    }
+    fs::remove(half, problem);
+    throw std::runtime_error("cannot write " + file.string() +
+                             ": is the folder there, writable and not full?");
+}
+
+std::string number(double value) {
+    char digits[40];
+    std::snprintf(digits, sizeof digits, "%.17g", value);
+    return digits;
+}
+
+std::string words(const Note& note, const std::string& drawn_line) {
+    std::string out = drawn_line + "\n";
+    auto line = [&](const char* name, const std::string& value) {
+        if (!value.empty()) out += std::string(name) + ": " + value + "\n";
+    };
+    line("command", note.command);
+    line("scene", note.scene);
+    line("method", note.method);
+    line("dt", note.dt);
+    for (const NotedNumber& n : note.numbers) {
+        out += n.name + " = " + number(n.value) + (n.unit.empty() ? "" : " " + n.unit) + "\n";
+    }
+    return out;
+}
+
+fs::path note_of(const fs::path& file) {
+    if (file.extension() != ".png") {
+        throw std::invalid_argument("a picture's file must end in .png, not " + file.string());
+    }
+    return fs::path(file).replace_extension(".txt");
+}
+
+}  // namespace
+
+void save(const Image& image, const fs::path& file, const Note& note) {
+    const fs::path beside = note_of(file);
+    if (image.width < 1 || image.height < 1 ||
+        image.rgb.size() != 3 * std::size_t(image.width) * std::size_t(image.height)) {
+        throw std::invalid_argument("an image to be saved as " + file.string() + " is empty");
+    }
+    write_file(file, png(image));
+    write_file(beside,
+               words(note, "drawn: " + std::to_string(image.width) + " x " + std::to_string(image.height)));
+}
+
+bool save(const fs::path& file, const Note& note, const std::function<Image()>& draw) {
+    const fs::path beside = note_of(file);
+    try {
+        save(draw(), file, note);
+        return true;
+    } catch (const NoGraphics& reason) {
+        std::error_code none;
+        fs::remove(file, none);
+        write_file(beside, words(note, std::string("not drawn: ") + reason.what()));
+        std::cerr << file.string() << " is not drawn: " << reason.what() << "\n";
+        return false;
+    }
+}
+
+}  // namespace nutshell::picture
