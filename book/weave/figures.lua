@@ -3,7 +3,6 @@
 --   attributes: command="…" (else the picture's .txt says it), alt="…", width=60%
 -- A picture that is not there though its .txt is was declared and could not be drawn: the page says so in its place.
 local Figures = {}
-local charts = 0
 
 local function note(path)                           -- the picture's .txt: "key: value" lines
     local text = Page.read(path, true)
@@ -21,45 +20,19 @@ local function png_size(bytes)
     return string.unpack(">I4I4", bytes, 17)
 end
 
---- An SVG made fit for standing in a page with others: no prolog, ids and style rules of its own.
-local function inline_svg(page, at, src, svg)
-    charts = charts + 1
-    local prefix = "chart" .. charts
-    svg = svg:gsub("^%s*<%?xml.-%?>", ""):gsub("<!DOCTYPE.->", ""):gsub("<!%-%-.-%-%->", "")
-    if svg:find("<script") then Report.add(page, at, "the chart " .. src .. " holds a script") end
-    local ids = {}
-    for id in svg:gmatch("%sid=['\"]([^'\"]+)['\"]") do ids[id] = true end
-    local function own(id) return ids[id] and prefix .. "-" .. id or id end
-    svg = svg:gsub("(%sid=['\"])([^'\"]+)", function(a, id) return a .. own(id) end)
-             :gsub("url%(#([^)]+)%)", function(id) return "url(#" .. own(id) .. ")" end)
-             :gsub("(href=['\"]#)([^'\"]+)", function(a, id) return a .. own(id) end)
-             :gsub("(aria%-%l+=['\"])([%w_ -]+)(['\"])", function(a, list, b)
-                 return a .. list:gsub("%S+", own) .. b end)
-    -- Rules of one chart must not reach another: each selector gets the chart's own id in front.
-    svg = svg:gsub("<style>(.-)</style>", function(css)
-        css = css:gsub("<!%[CDATA%[", ""):gsub("%]%]>", "")
-        return "<style>" .. css:gsub("([^{}]+)(%b{})", function(selector, body)
-            if selector:find("^%s*@") then
-                return selector .. "{" .. body:sub(2, -2):gsub("([^{}]+)(%b{})", function(s, b) return Figures.scope(s, prefix, ids) .. b end) .. "}"
-            end
-            return Figures.scope(selector, prefix, ids) .. body
-        end) .. "</style>"
-    end)
-    return (svg:gsub("<svg", function() return ('<svg data-chart="%s"'):format(prefix) end, 1))
-end
-
-function Figures.scope(selector, prefix, ids)
-    local root = ('svg[data-chart="%s"]'):format(prefix)
-    local out = {}
-    for s in selector:gmatch("[^,]+") do
-        s = s:match("^%s*(.-)%s*$")
-        s = s:gsub("#([%w_-]+)", function(id) return "#" .. (ids[id] and prefix .. "-" .. id or id) end)
-        if s:find("^svg%f[^%w_-]") then out[#out + 1] = root .. s:sub(4)        -- svg, svg.chart, svg text
-        elseif s == ":root" then out[#out + 1] = root
-        elseif s:find("^%.chart%f[^%w_-]") then out[#out + 1] = root .. s
-        else out[#out + 1] = root .. " " .. s end
+--- A chart as it came from the chart writer, which keeps ids and style rules to the chart's own id: many fit on a page.
+local function chart(page, at, src, svg)
+    svg = svg:gsub("^%s*<%?xml.-%?>", "")
+    local root = svg:match("<svg[^>]*>") or ""
+    local id = root:match("%sid=['\"]([^'\"]+)")
+    page.charts = page.charts or {}
+    if not root:find("class=['\"]chart['\"]") or not id then
+        return Report.add(page, at, ("picture %s: the SVG is not from our chart writer (class='chart', an id of its own)"):format(src))
+    elseif page.charts[id] then
+        return Report.add(page, at, ("picture %s: the same chart is on this page already"):format(src))
     end
-    return table.concat(out, ",")
+    page.charts[id] = true
+    return '<div class="plot">' .. svg .. "</div>"
 end
 
 local function content(page, image, at)             -- html, fields of the .txt; nil after a complaint
@@ -82,7 +55,7 @@ local function content(page, image, at)             -- html, fields of the .txt;
             :format(Page.escape(src), Page.escape((reason:gsub("%.$", ""))), Page.escape(command)), command
     end
     if file:find("%.svg$") then
-        return '<div class="chart">' .. inline_svg(page, at, src, bytes) .. "</div>", command
+        return chart(page, at, src, bytes), command
     elseif not file:find("%.png$") then
         return Report.add(page, at, ("picture %s: a picture is a .png, a chart an .svg"):format(src))
     end

@@ -89,7 +89,7 @@ function Numbers.html(page, spec, at)
     if n.exponent and n.exponent ~= 0 then
         text = ("%s%s×%s10<sup>%s%d</sup>"):format(text, thin, thin, n.exponent < 0 and "\u{2212}" or "", math.abs(n.exponent))
     end
-    if n.unit ~= "" then text = text .. (n.unit:find("^[%%°]") and "" or narrow) .. Page.escape(n.unit):gsub("%^(%-?%d+)", function(e)
+    if n.unit ~= "" then text = text .. (n.unit:find("^[%%°]") and "" or "\u{a0}") .. Page.escape(n.unit):gsub("%^(%-?%d+)", function(e)
         return "<sup>" .. e:gsub("-", "\u{2212}") .. "</sup>" end) end
     return ('<span class="num" title="%s">%s</span>'):format(Page.escape(n.title), text)
 end

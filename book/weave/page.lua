@@ -46,16 +46,21 @@ local function contents_of(page)
     return "<ol>" .. table.concat(items) .. "</ol>"
 end
 
+local chapters
 --- All chapters, those to come included, as index.md's header names them: "chapters:", then lines "- 4 Rotations. What it is about."
 function Page.chapters()
+    if chapters then return chapters end
     local list, by_number = {}, {}
     for _, page in ipairs(Book.pages) do if page.chapter then by_number[page.chapter] = page end end
     for _, item in ipairs(Book.pages[1].doc.meta.chapters or {}) do
         local number, title, about = pandoc.utils.stringify(item):match("^(%d+)%s+([^.]+)%.%s*(.*)$")
         if number then
             list[#list + 1] = {number = number, title = title, about = about, page = by_number[tonumber(number)]}
+        else
+            Report.add(Book.pages[1], Report.line(Book.pages[1], "chapters:"), "a line under chapters: is '- 4 Title. What it is about.' without a colon")
         end
     end
+    chapters = list
     return list
 end
 
