@@ -13,86 +13,12 @@ namespace parts {
 namespace {
 
 constexpr double border = 16;         // free on all sides
-constexpr double label_gap = 16;      // between the plot and its labels
+constexpr double label_gap = 20;      // between the plot and its labels
 constexpr double widest_label = 0.3;  // of the picture's width; longer names are broken
 constexpr double axis_room = 52;      // below the plot: ticks and the axis' name
 
 std::string number_of(std::size_t n) {
     return std::to_string(n);
-}
-
-void check_axis(const Chart& chart, const Axis& axis, const char* which) {
-    const auto refuse_axis = [&](const std::string& what) {
-        refuse(chart, std::string("axis ") + which + " " + what);
-    };
-    for (const double end : {axis.from, axis.to}) {
-        if (std::isinf(end)) refuse_axis("ends at infinity; give a finite end, or leave it automatic");
-        if (axis.scale == Scale::logarithmic && end <= 0)
-            refuse_axis("is logarithmic and ends at " + spoken(end) + "; give an end above zero");
-    }
-    if (axis.from >= axis.to)
-        refuse_axis("goes from " + spoken(axis.from) + " to " + spoken(axis.to) + "; give from < to");
-}
-
-void check_level(const Chart& chart, const Axis& axis, double value, const std::string& what) {
-    if (!std::isfinite(value) || (axis.scale == Scale::logarithmic && value <= 0))
-        refuse(chart, what + " is " + spoken(value) + ", which axis \"" + axis.name +
-                          "\" cannot show; give a finite value, above zero on a logarithmic axis");
-}
-
-void check_region(const Chart& chart, const Region& region) {
-    const std::string name = "region \"" + region.name + "\" ";
-    if (region.columns < 2 || region.rows < 2) refuse(chart, name + "needs a grid of at least 2 by 2");
-    const auto wanted = static_cast<std::size_t>(region.columns) * static_cast<std::size_t>(region.rows);
-    if (region.values.size() != wanted)
-        refuse(chart, name + "has " + number_of(region.values.size()) + " values for a grid of " +
-                          number_of(wanted));
-    if (!(region.left < region.right && region.bottom < region.top) ||
-        !std::isfinite(region.right - region.left) || !std::isfinite(region.top - region.bottom))
-        refuse(chart, name + "needs finite left < right and bottom < top");
-}
-
-void check(const Chart& chart) {
-    if (chart.title.empty()) refuse(chart, "has no title; give it the question or the finding");
-    if (chart.width < 200 || chart.height < 150) refuse(chart, "is too small; give at least 200 by 150");
-    check_axis(chart, chart.x, "x"), check_axis(chart, chart.y, "y");
-    if (chart.series.empty() && chart.regions.empty() && chart.bars.empty())
-        refuse(chart, "has nothing to draw; give it series, regions or bars");
-    if (!chart.bars.empty() && !(chart.series.empty() && chart.regions.empty()))
-        refuse(chart, "has bars and something else; draw two charts");
-    if ((!chart.regions.empty() || chart.equal_aspect) &&
-        (chart.x.scale == Scale::logarithmic || chart.y.scale == Scale::logarithmic))
-        refuse(chart, "shows a plane (regions or equal_aspect) on a logarithmic axis; make both axes linear");
-    if (!chart.guides.empty() && (chart.x.scale != Scale::logarithmic || chart.y.scale != Scale::logarithmic))
-        refuse(chart,
-               "has slope guides but not two logarithmic axes; make both logarithmic or drop the guides");
-    for (const Series& s : chart.series) {
-        const std::string name = "series \"" + s.name + "\" has ";
-        if (s.x.size() != s.y.size())
-            refuse(chart, name + number_of(s.x.size()) + " values of x and " + number_of(s.y.size()) +
-                              " of y; give as many of each");
-        if (s.x.empty()) refuse(chart, name + "no points; give it data or leave it out");
-        if (!s.notes.empty() && s.notes.size() != s.x.size())
-            refuse(chart, name + number_of(s.notes.size()) + " notes for " + number_of(s.x.size()) +
-                              " points; give one each or none");
-    }
-    for (const Region& region : chart.regions) check_region(chart, region);
-    for (const Bar& bar : chart.bars) {
-        check_level(chart, chart.x, bar.value, "bar \"" + bar.name + "\"");
-        if (!std::isnan(bar.floor))
-            check_level(chart, chart.x, bar.floor, "the floor of bar \"" + bar.name + "\"");
-    }
-    for (const double slope : chart.guides)
-        if (!std::isfinite(slope)) refuse(chart, "has a slope guide that is not finite");
-    for (const Level& level : chart.levels_x)
-        check_level(chart, chart.x, level.value, "level \"" + level.reason + "\"");
-    for (const Level& level : chart.levels_y)
-        check_level(chart, chart.y, level.value, "level \"" + level.reason + "\"");
-    if (chart.tolerance) check_level(chart, chart.y, chart.tolerance->value, "the tolerance");
-    for (const Ring& ring : chart.rings) {
-        check_level(chart, chart.x, ring.x, "ring \"" + ring.text + "\"");
-        check_level(chart, chart.y, ring.y, "ring \"" + ring.text + "\"");
-    }
 }
 
 std::string draw_heading(const Chart& chart, double width, double& bottom) {
@@ -103,27 +29,26 @@ std::string draw_heading(const Chart& chart, double width, double& bottom) {
     y += 2;
     for (const std::string& line : wrapped(chart.subtitle, text_size, width - 2 * border))
         out += draw_text("sub", border, y += 21, line);
-    if (chart.bars.empty() && !chart.y.name.empty()) out += draw_text("name", border, y += 32, chart.y.name);
-    bottom = y + 12;
+    y += 10;
+    if (chart.bars.empty())
+        for (const std::string& line : wrapped(chart.y.name, text_size, width - 2 * border))
+            out += draw_text("name", border, y += 21, line);
+    bottom = y + 14;
     return out;
 }
 
-/// One unit of x as long as one of y: sets the plot's height, and widens a range where that would be too tall
-/// or flat.
-void make_equal(Frame& frame, double top, double width) {
-    const double tallest = 1.05 * width, flattest = 160;
-    Range &x = frame.x.range, &y = frame.y.range;
-    const auto widen = [](Range& range, double length) {
-        const double middle = (range.from + range.to) / 2;
-        range = {middle - length / 2, middle + length / 2};
-    };
-    double per_unit = frame.plot.width() / (x.to - x.from);
-    if (per_unit * (y.to - y.from) > tallest) {
-        per_unit = tallest / (y.to - y.from);
-        widen(x, frame.plot.width() / per_unit);
-    }
-    if (per_unit * (y.to - y.from) < flattest) widen(y, flattest / per_unit);
-    frame.plot.bottom = top + per_unit * (y.to - y.from);
+/// One unit of x as long as one of y: the plot gets as high as y needs, or narrower where that would be too
+/// high.
+void make_equal(Frame& frame, double least_height, double most_height) {
+    Range& y = frame.y.range;
+    const double x_length = frame.x.range.to - frame.x.range.from;
+    const double per_unit = std::min(frame.plot.width() / x_length, most_height / (y.to - y.from));
+    const double height =
+        std::max(per_unit * (y.to - y.from), least_height);  // too flat: more of the plane is shown
+    const double middle = (y.from + y.to) / 2, half = height / per_unit / 2;
+    y = {middle - half, middle + half};
+    frame.plot.right = frame.plot.left + per_unit * x_length;
+    frame.plot.bottom = frame.plot.top + height;
 }
 
 /// The frame of everything but bars: margins as wide as what stands in them.
@@ -136,14 +61,12 @@ Frame laid_out(const Chart& chart, double top, double right_margin, double label
     for (const Tick& tick : ticks(chart.y.scale, frame.y.range, height, false))
         ticks_width = std::max(ticks_width, width_of_markup(tick.markup, tick_size));
     frame.plot = {border + ticks_width + 8, top, chart.width - right_margin, top + height};
-    if (chart.equal_aspect || !chart.regions.empty()) make_equal(frame, top, chart.width);
-    frame.plot.bottom = std::max(frame.plot.bottom, top + labels_height);
-    if (chart.equal_aspect || !chart.regions.empty()) {  // more room for labels shows more of the plane
-        const double per_unit = frame.plot.width() / (frame.x.range.to - frame.x.range.from);
-        const double middle = (frame.y.range.from + frame.y.range.to) / 2,
-                     half = frame.plot.height() / per_unit / 2;
-        frame.y.range = {middle - half, middle + half};
-    }
+    // the last tick's label may hang over the plot's end
+    const auto x_ticks = ticks(chart.x.scale, frame.x.range, frame.plot.width(), true);
+    if (!x_ticks.empty())
+        frame.plot.right = std::min(frame.plot.right,
+                                    chart.width - 6 - width_of_markup(x_ticks.back().markup, tick_size) / 2);
+    if (is_plane(chart)) make_equal(frame, std::max(labels_height, 160.0), 0.85 * chart.width);
     frame.x.low = frame.plot.left, frame.x.high = frame.plot.right;
     frame.y.low = frame.plot.bottom, frame.y.high = frame.plot.top;
     return frame;
@@ -151,90 +74,147 @@ Frame laid_out(const Chart& chart, double top, double right_margin, double label
 
 struct Margin {
     double width = border, height = 0;
-    std::vector<std::vector<std::string>> lines;  // of each owner: series first, then regions
+    std::vector<std::vector<std::string>> lines;  // of each owner: series, then regions, then levels on y
 };
 
-Margin margin_for(const Chart& chart, const std::vector<bool>& region_inside) {
+Margin margin_for(const Chart& chart, const std::vector<bool>& region_inside,
+                  const std::vector<bool>& level_inside) {
     Margin margin;
-    const auto add = [&](const std::string& name, bool shown) {
-        margin.lines.push_back(shown ? wrapped(name, text_size, widest_label * chart.width)
-                                     : std::vector<std::string>{});
+    const auto add = [&](const std::string& name, bool shown, double widest) {
+        margin.lines.push_back(shown ? wrapped(name, text_size, widest) : std::vector<std::string>{});
         for (const std::string& line : margin.lines.back())
             margin.width = std::max(margin.width, label_gap + text_width(line, text_size) + 8);
         margin.height += line_height * static_cast<double>(margin.lines.back().size());
     };
-    for (const Series& series : chart.series) add(series.name, true);
-    for (std::size_t i = 0; i < chart.regions.size(); ++i) add(chart.regions[i].name, !region_inside[i]);
+    for (const Series& series : chart.series) add(series.name, true, widest_label * chart.width);
+    for (std::size_t i = 0; i < chart.regions.size(); ++i)
+        add(chart.regions[i].name, !region_inside[i], widest_label * chart.width);
+    const auto levels = levels_on_y(chart);
+    const double names_width =
+        std::max(margin.width - label_gap - 8, 0.2 * chart.width);  // reasons make it no wider
+    for (std::size_t i = 0; i < levels.size(); ++i) add(levels[i].reason, !level_inside[i], names_width);
     return margin;
 }
 
-std::string draw_plot(const Chart& chart, double top, double& height) {
+/// Everything drawn from data, before any text is placed.
+struct Drawing {
+    Frame frame;
+    std::vector<Trace> traces;
+    std::vector<Contour> contours;
+    Obstacles obstacles;
+};
+
+Drawing drawing_of(const Chart& chart, const Frame& frame) {
     const std::vector<Style> styles = styles_of(chart);
+    Drawing drawing{frame, {}, {}, {}};
+    std::vector<std::vector<Line>> lines;  // of each series, then of each region
+    for (const Series& series : chart.series) {
+        drawing.traces.push_back(trace(chart, series, styles[lines.size()], frame));
+        lines.push_back(drawing.traces.back().lines);
+        for (const auto& [at, index] : drawing.traces.back().marks)
+            drawing.obstacles.lines.push_back({{at.x - 5, at.y}, {at.x + 5, at.y}});
+    }
+    for (const Region& region : chart.regions) {
+        drawing.contours.push_back(contour(region, styles[lines.size()], frame));
+        lines.push_back(drawing.contours.back().fill);
+    }
+    for (const auto& some : lines)
+        drawing.obstacles.lines.insert(drawing.obstacles.lines.end(), some.begin(), some.end());
+    for (const Level& level : levels_on_y(chart)) {
+        const double y = frame.y(level.value);
+        drawing.obstacles.lines.push_back({{frame.plot.left, y}, {frame.plot.right, y}});
+    }
+    for (const Ring& ring : rings_of(chart)) {
+        const Point at = frame(ring.x, ring.y);
+        drawing.obstacles.boxes.push_back(
+            {at.x - ring_radius, at.y - ring_radius, at.x + ring_radius, at.y + ring_radius});
+    }
+    if (!is_plane(chart)) return drawing;
+    for (std::size_t i = 0; i < lines.size();
+         ++i) {  // curves of a plane end anywhere: tie names to where they are alone
+        std::vector<Line> others;
+        for (std::size_t k = 0; k < lines.size(); ++k)
+            if (k != i) others.insert(others.end(), lines[k].begin(), lines[k].end());
+        const std::size_t series_count = drawing.traces.size();
+        Point& anchor =
+            i < series_count ? drawing.traces[i].anchor : drawing.contours[i - series_count].anchor;
+        anchor = free_end(lines[i], others, anchor);
+    }
+    return drawing;
+}
+
+/// The whole of a chart that has no bars. Tried again, with more in the margin, while a region or a level
+/// turns out to have no room for its text.
+std::string draw_plot(const Chart& chart, double top, double& height) {
     const std::size_t series_count = chart.series.size(), region_count = chart.regions.size();
-    std::vector<bool> inside(region_count, true);
-    for (;;) {  // again with a wider margin if a region turns out to have no room for its name
-        const Margin margin = margin_for(chart, inside);
-        const Frame frame = laid_out(chart, top, margin.width, margin.height);
-        height = frame.plot.bottom + axis_room;
-        Obstacles obstacles;
-        std::vector<Trace> traces;
-        std::vector<Contour> contours;
-        for (std::size_t i = 0; i < series_count; ++i) {
-            traces.push_back(trace(chart, chart.series[i], styles[i], frame));
-            for (const Line& line : traces.back().lines) obstacles.lines.push_back(line);
-            for (const auto& [at, index] : traces.back().marks)
-                obstacles.lines.push_back({{at.x - 5, at.y}, {at.x + 5, at.y}});
-        }
-        for (std::size_t i = 0; i < region_count; ++i) {
-            contours.push_back(contour(chart.regions[i], styles[series_count + i], frame));
-            for (const Line& line : contours.back().fill) obstacles.lines.push_back(line);
-        }
-        std::vector<std::optional<Box>> places(region_count);
+    const std::size_t first_level = series_count + region_count;
+    const std::vector<Level> levels = levels_on_y(chart);
+    std::vector<bool> region_inside(region_count, true), level_inside(levels.size(), true);
+    for (;;) {
+        const Margin margin = margin_for(chart, region_inside, level_inside);
+        auto [frame, traces, contours, obstacles] =
+            drawing_of(chart, laid_out(chart, top, margin.width, margin.height));
         bool all_placed = true;
+        std::vector<std::optional<Box>> places(region_count);
         for (std::size_t i = 0; i < region_count; ++i) {
-            if (!inside[i] || chart.regions[i].name.empty()) continue;
+            if (!region_inside[i] || chart.regions[i].name.empty()) continue;
             places[i] = place_inside(chart, i, frame, obstacles);
             if (places[i])
                 obstacles.boxes.push_back(*places[i]);
             else
-                inside[i] = all_placed = false;
+                region_inside[i] = all_placed = false;
         }
-        if (!all_placed) continue;
-
         std::vector<Label> labels;
-        for (std::size_t i = 0; i < series_count + region_count; ++i)
-            if (!margin.lines[i].empty())
-                labels.push_back({i, margin.lines[i],
-                                  i < series_count ? traces[i].anchor : contours[i - series_count].anchor});
+        for (std::size_t i = 0; i < margin.lines.size(); ++i) {
+            if (margin.lines[i].empty()) continue;
+            const Point anchor = i < series_count ? traces[i].anchor
+                                 : i < first_level
+                                     ? contours[i - series_count].anchor
+                                     : Point{frame.plot.right, frame.y(levels[i - first_level].value)};
+            labels.push_back({i, margin.lines[i], anchor, i < first_level ? "label" : "reason"});
+        }
         const double label_x = frame.plot.right + label_gap;
         arrange(labels, label_x, frame.plot.top, frame.plot.bottom);
-        for (const Label& label : labels)
-            obstacles.lines.push_back({label.anchor, {frame.plot.right, label.middle}});
+        for (const Label& label : labels) obstacles.lines.push_back({label.anchor, {label_x, label.middle}});
+
+        std::string over = draw_levels_on_x(chart, frame, obstacles);
+        for (std::size_t i = 0; i < levels.size(); ++i) {
+            if (!frame.y.shows(levels[i].value)) continue;
+            over += draw_level_line(levels[i], frame, true);
+            if (!level_inside[i] || levels[i].reason.empty()) continue;
+            if (const auto note = place_on_level(levels[i], frame, obstacles)) {
+                obstacles.boxes.push_back(note->box);
+                over += draw_note(*note);
+            } else {
+                level_inside[i] = all_placed = false;
+            }
+        }
+        if (!all_placed) continue;
+        const std::string guides = draw_guides(chart, frame, obstacles);
+        over += draw_rings(chart, frame, obstacles);
 
         const auto label_of = [&](std::size_t owner) {
             for (const Label& label : labels)
                 if (label.owner == owner) return draw_label(label, label_x);
             return std::string();
         };
-        std::string out = draw_grid(chart, frame);
-        out += draw_text("name", (frame.plot.left + frame.plot.right) / 2, frame.plot.bottom + 42,
-                         chart.x.name, "middle");
-        const std::string levels = draw_levels(chart, frame, obstacles),
-                          rings = draw_rings(chart, frame, obstacles);
-        out += draw_guides(chart, frame, obstacles) + "<g class='all'>\n";
+        std::string out = draw_grid(chart, frame) + draw_x_name(chart, frame.plot, chart.width, height);
+        out += guides + "<g class='all'>\n";
         for (std::size_t i = 0; i < region_count; ++i) {
             out += open_group(contours[i].style, "series") + draw_region(chart.regions[i], contours[i]);
-            if (places[i])
-                out += draw_text("label halo", (places[i]->left + places[i]->right) / 2,
-                                 places[i]->bottom - 5, chart.regions[i].name, "middle");
+            if (const auto& box = places[i])
+                out += draw_text("label halo", (box->left + box->right) / 2, box->bottom - 5,
+                                 chart.regions[i].name, "middle");
             out += label_of(series_count + i) + "</g>\n";
         }
         for (const bool ghosts : {true, false})  // ghosts lie under the others
             for (std::size_t i = 0; i < series_count; ++i)
                 if ((traces[i].draw == Draw::ghost) == ghosts)
-                    out += open_group(styles[i], "series") + draw_series(chart, chart.series[i], traces[i]) +
-                           label_of(i) + "</g>\n";
-        return out + "</g>\n" + levels + rings;
+                    out += open_group(traces[i].style, "series") +
+                           draw_series(chart, chart.series[i], traces[i]) + label_of(i) + "</g>\n";
+        out += "</g>\n" + open_group(style_of("theory"), "series");
+        for (std::size_t i = 0; i < levels.size(); ++i) out += label_of(first_level + i);
+        return out + "</g>\n" + over;
     }
 }
 
@@ -279,10 +259,6 @@ std::string id_of(const Chart& chart, const std::string& body) {
 }
 
 }  // namespace
-
-void refuse(const Chart& chart, const std::string& what) {
-    throw std::invalid_argument("chart \"" + (chart.name.empty() ? chart.title : chart.name) + "\": " + what);
-}
 
 }  // namespace parts
 

@@ -195,6 +195,22 @@ std::string draw_text(const std::string& css_class, double x, double y, std::str
            escaped(text) + "</text>\n";
 }
 
+bool is_plane(const Chart& chart) {
+    return chart.equal_aspect || !chart.regions.empty();
+}
+
+std::string draw_x_name(const Chart& chart, const Box& plot, double width, double& bottom) {
+    std::string out;
+    double y = plot.bottom + 22;
+    for (const std::string& line : wrapped(chart.x.name, text_size, width - 32)) {
+        const double half = text_width(line, text_size) / 2;
+        out += draw_text("name", std::clamp((plot.left + plot.right) / 2, 16 + half, width - 16 - half),
+                         y += 21, line, "middle");
+    }
+    bottom = y + 14;
+    return out;
+}
+
 std::string draw_grid(const Chart& chart, const Frame& frame) {
     const Box& plot = frame.plot;
     const auto line = [](double x1, double y1, double x2, double y2, const char* css_class) {

@@ -12,7 +12,7 @@ constexpr double row = 40, thick = 18;
 std::string end_text(const Bar& bar) {
     if (!bar.text.empty()) return bar.text;
     const std::string value = spoken(bar.value);
-    return std::isnan(bar.floor) ? value : value + ", " + decimal(bar.value / bar.floor, 1) + "\u00d7 floor";
+    return std::isnan(bar.floor) ? value : value + " (" + decimal(bar.value / bar.floor, 1) + "\u00d7 floor)";
 }
 
 }  // namespace
@@ -32,11 +32,9 @@ std::string draw_bars(const Chart& chart, double& width, double& height, double 
     if (frame.plot.width() < 120) width += 120 - frame.plot.width(), frame.plot.right = frame.plot.left + 120;
     frame.plot.bottom = frame.plot.top + row * static_cast<double>(chart.bars.size());
     frame.x = {chart.x.scale, range_of_x(chart), frame.plot.left, frame.plot.right};
-    height = frame.plot.bottom + 56;
 
     std::string out = draw_grid(chart, frame);
-    out += draw_text("note", (frame.plot.left + frame.plot.right) / 2, frame.plot.bottom + 44, chart.x.name,
-                     "middle");
+    out += draw_x_name(chart, frame.plot, width, height);
     const std::vector<Style> styles = styles_of(chart);
     const bool dots = chart.x.scale == Scale::logarithmic;
     bool floor_named = false;

@@ -117,6 +117,28 @@ std::size_t freest(const std::vector<Box>& candidates, const Obstacles& obstacle
     return static_cast<std::size_t>(std::min_element(clutter.begin(), clutter.end()) - clutter.begin());
 }
 
+Point free_end(const std::vector<Line>& own, const std::vector<Line>& others, Point otherwise) {
+    constexpr double close = 10, worth = 70;  // a free point may lie so much farther to the left
+    const auto near_another = [&](Point p) {
+        const Box around{p.x - close, p.y - close, p.x + close, p.y + close};
+        for (const Line& line : others)
+            for (std::size_t i = 1; i < line.size(); ++i)
+                if (clipped(line[i - 1], line[i], around)) return true;
+        return false;
+    };
+    double rightmost = -INFINITY, best = -INFINITY;
+    for (const Line& line : own)
+        for (const Point& p : line) rightmost = std::max(rightmost, p.x);
+    Point result = otherwise;
+    for (const Line& line : own)
+        for (const Point& p : line) {
+            if (p.x < rightmost - worth || p.x <= best) continue;
+            const double value = p.x - (near_another(p) ? worth : 0);
+            if (value > best) best = value, result = p;
+        }
+    return result;
+}
+
 void arrange(std::vector<Label>& labels, double hairline_end, double top, double bottom) {
     if (labels.empty()) return;
     std::stable_sort(labels.begin(), labels.end(), [](const Label& a, const Label& b) {
@@ -147,7 +169,7 @@ std::string draw_label(const Label& label, double x) {
             "' x2='" + unit(end) + "' y2='" + unit(label.middle) + "'/>\n";
     double y = label.middle - label.height() / 2 + 15.5;
     for (const std::string& line : label.lines) {
-        out += draw_text("label", x, y, line);
+        out += draw_text(label.css_class, x, y, line);
         y += line_height;
     }
     return out;

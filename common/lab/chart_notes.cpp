@@ -2,6 +2,7 @@
 // place.
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "chart_parts.hpp"
 
@@ -24,61 +25,96 @@ Box moved_inside(Box box, const Box& plot) {
     return box;
 }
 
-/// Writes lines of text into the freest of the candidate boxes.
-std::string write_note(const std::vector<std::string>& lines, const std::vector<Box>& candidates,
-                       Obstacles& obstacles) {
-    const Box box = candidates[freest(candidates, obstacles)];
-    obstacles.boxes.push_back(box);
-    std::string out;
-    double y = box.top + 15;
-    for (const std::string& line : lines) out += draw_text("note", box.left, y, line), y += line_height;
-    return out;
-}
-
 double widest(const std::vector<std::string>& lines) {
     double width = 0;
     for (const std::string& line : lines) width = std::max(width, text_width(line, note_size));
     return width;
 }
 
-std::string draw_level(const Frame& frame, const Level& level, bool on_y, Obstacles& obstacles) {
-    const Box& plot = frame.plot;
-    const Ruler& ruler = on_y ? frame.y : frame.x;
-    if (!ruler.shows(level.value)) return "";
-    const double at = ruler(level.value);
-    const Point a = on_y ? Point{plot.left, at} : Point{at, plot.top},
-                b = on_y ? Point{plot.right, at} : Point{at, plot.bottom};
-    std::string out = "<path class='level' d='" + path({{a, b}}) + "'><title>" + escaped(level.reason) +
-                      "</title></path>\n";
-    const auto lines = wrapped(level.reason, note_size, (on_y ? 0.9 : 0.4) * plot.width());
-    if (lines.empty()) return out;
-    const double width = widest(lines), height = line_height * static_cast<double>(lines.size());
-    std::vector<Box> candidates;
-    for (const double part : {0.0, 0.5, 1.0, 0.25, 0.75}) {
-        if (on_y) {
-            const double left = plot.left + off_border + part * (plot.width() - width - 2 * off_border);
-            for (const double top : {at - height - 2, at + 3})
-                candidates.push_back(box_at(left, top, width, height));
-        } else {
-            const double top = plot.top + 4 + part * (plot.height() - height - 8);
-            for (const double left : {at + 6, at - width - 6})
-                candidates.push_back(box_at(left, top, width, height));
-        }
-    }
-    for (Box& box : candidates) box = moved_inside(box, plot);
-    out += write_note(lines, candidates, obstacles);
-    obstacles.lines.push_back({a, b});
-    return out;
+Note note_at(const std::vector<std::string>& lines, double left, double top) {
+    return {lines, box_at(left, top, widest(lines), line_height * static_cast<double>(lines.size()))};
 }
 
 }  // namespace
 
-std::string draw_levels(const Chart& chart, const Frame& frame, Obstacles& obstacles) {
+std::vector<Level> levels_on_y(const Chart& chart) {
+    std::vector<Level> levels = chart.levels_y;
+    if (chart.tolerance) levels.push_back(*chart.tolerance);
+    return levels;
+}
+
+std::optional<Note> place_on_level(const Level& level, const Frame& frame, const Obstacles& obstacles) {
+    const Box& plot = frame.plot;
+    const double at = frame.y(level.value);
+    for (const double part : {0.9, 0.5, 0.35}) {  // of the plot's width: in one line, or broken
+        const auto lines = wrapped(level.reason, note_size, part * plot.width());
+        const Note note = note_at(lines, 0, 0);
+        const double free = plot.width() - note.box.width() - 2 * off_border;
+        constexpr int places = 12;
+        for (int i = 0; i <= places; ++i)
+            for (const double top : {at - note.box.height() - 1, at + 2}) {
+                const Note there = note_at(lines, plot.left + off_border + free * i / places, top);
+                const Box& box = there.box;
+                if (free >= 0 && box.top >= plot.top && box.bottom <= plot.bottom &&
+                    obstacles.clutter(box) == 0)
+                    return there;
+            }
+    }
+    return std::nullopt;
+}
+
+std::string draw_level_line(const Level& level, const Frame& frame, bool on_y) {
+    const Box& plot = frame.plot;
+    const double at = on_y ? frame.y(level.value) : frame.x(level.value);
+    const Line line =
+        on_y ? Line{{plot.left, at}, {plot.right, at}} : Line{{at, plot.top}, {at, plot.bottom}};
+    return "<path class='level' d='" + path({line}) + "'><title>" + escaped(level.reason) +
+           "</title></path>\n";
+}
+
+std::string draw_levels_on_x(const Chart& chart, const Frame& frame, Obstacles& obstacles) {
+    const Box& plot = frame.plot;
     std::string out;
-    for (const Level& level : chart.levels_y) out += draw_level(frame, level, true, obstacles);
-    for (const Level& level : chart.levels_x) out += draw_level(frame, level, false, obstacles);
-    if (chart.tolerance) out += draw_level(frame, *chart.tolerance, true, obstacles);
+    for (const Level& level : chart.levels_x) {
+        if (!frame.x.shows(level.value)) continue;
+        out += draw_level_line(level, frame, false);
+        const double at = frame.x(level.value);
+        const auto lines = wrapped(level.reason, note_size, 0.4 * plot.width());
+        const Note note = note_at(lines, 0, 0);
+        constexpr int places = 12;
+        std::vector<Box> candidates;
+        for (int i = 0; i <= places; ++i)
+            for (const double left : {at + 6, at - note.box.width() - 6})
+                if (left > plot.left && left + note.box.width() < plot.right)
+                    candidates.push_back(
+                        box_at(left, plot.top + 4 + (plot.height() - note.box.height() - 8) * i / places,
+                               note.box.width(), note.box.height()));
+        if (candidates.empty())
+            candidates.push_back(
+                moved_inside(box_at(at + 6, plot.top + 4, note.box.width(), note.box.height()), plot));
+        const Box box = candidates[freest(candidates, obstacles)];
+        obstacles.boxes.push_back(box);
+        obstacles.lines.push_back({{at, plot.top}, {at, plot.bottom}});
+        out += draw_note({lines, box});
+    }
     return out;
+}
+
+std::string draw_note(const Note& note) {
+    std::string out;
+    double y = note.box.top + 15;
+    for (const std::string& line : note.lines) {
+        out += draw_text("note", note.box.left, y, line);
+        y += line_height;
+    }
+    return out;
+}
+
+std::vector<Ring> rings_of(const Chart& chart) {
+    std::vector<Ring> rings = chart.rings;
+    if (chart.ring_cheapest)
+        if (const auto ring = cheapest(chart)) rings.push_back(*ring);
+    return rings;
 }
 
 std::string draw_guides(const Chart& chart, const Frame& frame, Obstacles& obstacles) {
@@ -135,37 +171,42 @@ std::string draw_guides(const Chart& chart, const Frame& frame, Obstacles& obsta
 }
 
 std::string draw_rings(const Chart& chart, const Frame& frame, Obstacles& obstacles) {
-    std::vector<Ring> rings = chart.rings;
-    if (chart.ring_cheapest)
-        if (const auto ring = cheapest(chart)) rings.push_back(*ring);
-    constexpr double radius = 10.5;
     std::string out;
-    for (const Ring& ring : rings) {
+    for (const Ring& ring : rings_of(chart)) {
         if (!frame.x.shows(ring.x) || !frame.y.shows(ring.y)) continue;
         const Point at = frame(ring.x, ring.y);
-        out += "<circle class='ring' cx='" + unit(at.x) + "' cy='" + unit(at.y) + "' r='" + unit(radius) +
-               "'><title>" +
+        out += "<circle class='ring' cx='" + unit(at.x) + "' cy='" + unit(at.y) + "' r='" +
+               unit(ring_radius) + "'><title>" +
                escaped(ring.text + ": " + chart.x.name + " " + spoken(ring.x) + ", " + chart.y.name + " " +
                        spoken(ring.y)) +
                "</title></circle>\n";
         const auto lines = wrapped(ring.text, note_size, 0.45 * frame.plot.width());
         if (lines.empty()) continue;
-        const double width = widest(lines), height = line_height * static_cast<double>(lines.size());
+        const Note size = note_at(lines, 0, 0);
         std::vector<Box> candidates;
-        for (const double away : {1.0, 1.8, 3.0, 4.5})
-            for (const auto& [dx, dy] :
-                 {std::pair{-1, 1}, {1, -1}, {-1, 0}, {1, 0}, {0, 1}, {0, -1}, {1, 1}, {-1, -1}}) {
-                const double gap = away * (radius + 2);
-                const double left = dx < 0 ? at.x - gap - width : dx > 0 ? at.x + gap : at.x - width / 2;
-                const double top = dy < 0   ? at.y - gap - height + 4
-                                   : dy > 0 ? at.y + gap - 4
-                                            : at.y - height / 2;
-                const Box box = moved_inside(box_at(left, top, width, height), frame.plot);
-                const bool over_ring = box.left < at.x + radius && box.right > at.x - radius &&
-                                       box.top < at.y + radius && box.bottom > at.y - radius;
-                if (!over_ring) candidates.push_back(box);
+        for (const double gap : {14.0, 24.0, 36.0, 50.0, 70.0, 95.0, 125.0})
+            for (int k = 0; k < 16;
+                 ++k) {  // all round, from the left below where work-precision charts are empty
+                const double angle = std::numbers::pi * (0.75 + k / 8.0);
+                const double dx = (gap + size.box.width() / 2) * std::cos(angle),
+                             dy = (gap + size.box.height() / 2) * std::sin(angle);
+                candidates.push_back(
+                    moved_inside(box_at(at.x + dx - size.box.width() / 2, at.y + dy - size.box.height() / 2,
+                                        size.box.width(), size.box.height()),
+                                 frame.plot));
             }
-        if (!candidates.empty()) out += write_note(lines, candidates, obstacles);
+        const Box box = candidates[freest(candidates, obstacles)];
+        obstacles.boxes.push_back(box);
+        const Point nearest{std::clamp(at.x, box.left, box.right),
+                            std::clamp(at.y, box.top + 4, box.bottom - 4)};
+        const double away = std::hypot(nearest.x - at.x, nearest.y - at.y);
+        if (away > ring_radius + 6) {
+            const double part = ring_radius / away;
+            out += "<path class='lead' d='" +
+                   path({{{at.x + part * (nearest.x - at.x), at.y + part * (nearest.y - at.y)}, nearest}}) +
+                   "'/>\n";
+        }
+        out += draw_note({lines, box});
     }
     return out;
 }

@@ -66,6 +66,9 @@ Range range_of_y(const Chart& chart);
 /// Ticks at round values, such that their labels stay apart: `along` the axis' length, `horizontal` for x.
 std::vector<Tick> ticks(Scale scale, Range range, double along, bool horizontal);
 std::string draw_grid(const Chart& chart, const Frame& frame);
+/// The name of x below its ticks; `bottom` receives where the picture ends.
+std::string draw_x_name(const Chart& chart, const Box& plot, double width, double& bottom);
+bool is_plane(const Chart& chart);  ///< both axes in the same unit of length
 
 // --- geometry and labels (chart_labels.cpp)
 // ----------------------------------------------------------------------
@@ -88,9 +91,13 @@ struct Label {
     std::size_t owner = 0;
     std::vector<std::string> lines = {};
     Point anchor = {};
+    std::string css_class = "label";
     double middle = 0;  ///< where it was put
     double height() const { return line_height * static_cast<double>(lines.size()); }
 };
+/// The point of a curve with the greatest x; where another curve is close to it, rather a free one not far to
+/// its left.
+Point free_end(const std::vector<Line>& own, const std::vector<Line>& others, Point otherwise);
 /// Puts labels as near to their anchors as they can be without overlapping, between top and bottom, and so
 /// that no two hairlines cross.
 void arrange(std::vector<Label>& labels, double hairline_end, double top, double bottom);
@@ -147,7 +154,18 @@ std::optional<Box> place_inside(const Chart& chart, std::size_t region, const Fr
 
 // --- levels, guides, rings (chart_notes.cpp)
 // ---------------------------------------------------------------------
-std::string draw_levels(const Chart& chart, const Frame& frame, Obstacles& obstacles);
+inline constexpr double ring_radius = 10.5;
+/// A level on y and, if there is a free place on its line, where its reason is written.
+struct Note {
+    std::vector<std::string> lines;
+    Box box;
+};
+std::vector<Level> levels_on_y(const Chart& chart);  ///< with the tolerance
+std::optional<Note> place_on_level(const Level& level, const Frame& frame, const Obstacles& obstacles);
+std::string draw_level_line(const Level& level, const Frame& frame, bool on_y);
+std::string draw_levels_on_x(const Chart& chart, const Frame& frame, Obstacles& obstacles);
+std::string draw_note(const Note& note);
+std::vector<Ring> rings_of(const Chart& chart);  ///< with the cheapest method's
 std::string draw_guides(const Chart& chart, const Frame& frame, Obstacles& obstacles);
 std::string draw_rings(const Chart& chart, const Frame& frame, Obstacles& obstacles);
 
@@ -161,6 +179,8 @@ std::string draw_bars(const Chart& chart, double& width, double& height, double 
 /// The SVG round a drawing: root, title and description, style sheet, paper.
 std::string document(const Chart& chart, const std::string& id, double width, double height,
                      const std::string& body, const std::string& told);
+/// Throws what svg() promises to throw. (chart_check.cpp)
+void check(const Chart& chart);
 [[noreturn]] void refuse(const Chart& chart, const std::string& what);
 
 }  // namespace nutshell::lab::parts

@@ -134,9 +134,9 @@ Trace trace(const Chart& chart, const Series& series, const Style& style, const 
         else
             end_run();
         if (side == Side::beyond) continue;
+        if (result.draw == Draw::line) result.marks.clear();  // only where it ends
         if (side == Side::inside) {
             last = at;
-            if (result.draw == Draw::line) result.marks.clear();  // only where it ends
             if (marks) result.marks.emplace_back(at, i);
         } else {
             const auto known = std::find_if(result.arrows.begin(), result.arrows.end(),
@@ -188,6 +188,8 @@ std::string draw_mark(const Style& style, Point at, const std::string& title) {
 }
 
 std::string draw_series(const Chart& chart, const Series& series, const Trace& trace) {
+    const bool thin =
+        trace.draw == Draw::line && chart.equal_aspect;  // it passes near itself, orbit after orbit
     const bool ghost = trace.draw == Draw::ghost, theory = trace.draw == Draw::theory;
     std::string out;
     if (!trace.lines.empty()) {
@@ -196,6 +198,7 @@ std::string draw_series(const Chart& chart, const Series& series, const Trace& t
         out += std::string("<path class='") +
                (ghost    ? "ghost"
                 : theory ? "theory"
+                : thin   ? "curve thin"
                          : "curve") +
                "' d='" + path(trace.lines) + "'" + dash;
         out += series.name.empty() ? "/>\n" : "><title>" + escaped(series.name) + "</title></path>\n";

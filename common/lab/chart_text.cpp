@@ -42,9 +42,22 @@ double text_width(std::string_view utf8, double size) {
 std::vector<std::string> wrapped(std::string_view utf8, double size, double width) {
     std::vector<std::string> lines;
     std::string line;
+    const auto fitting = [&](std::string_view word) {  // how many bytes of it fit, at least one character
+        std::size_t end = 0;
+        while (end < word.size()) {
+            std::size_t next = end + 1;
+            while (next < word.size() && (static_cast<unsigned char>(word[next]) & 0xC0U) == 0x80U) ++next;
+            if (end > 0 && text_width(word.substr(0, next), size) > width) break;
+            end = next;
+        }
+        return end;
+    };
     for (std::size_t start = 0; start < utf8.size();) {
-        const std::size_t end = std::min(utf8.find(' ', start), utf8.size());
-        const std::string word(utf8.substr(start, end - start));
+        std::size_t end = std::min(utf8.find(' ', start), utf8.size());
+        std::string word(utf8.substr(start, end - start));
+        const std::size_t part = fitting(word);
+        const bool broken = part < word.size();
+        if (broken) word.resize(part), end = start + part;
         const std::string longer = line.empty() ? word : line + ' ' + word;
         if (!line.empty() && text_width(longer, size) > width) {
             lines.push_back(line);
@@ -52,7 +65,7 @@ std::vector<std::string> wrapped(std::string_view utf8, double size, double widt
         } else {
             line = longer;
         }
-        start = end + 1;
+        start = broken ? end : end + 1;
     }
     if (!line.empty()) lines.push_back(line);
     return lines;
