@@ -173,15 +173,14 @@ int program(int argc, char** argv, const std::string& name, const std::function<
         }
     }
     try {
+        write_file(folder / ".writable", "");   // an unwritable folder is found before the work, not after it
+        std::filesystem::remove(folder / ".writable");
         Report report(folder, "./course run " + name.substr(1, 1));
-        write_file(folder / "numbers.csv", "");   // an unwritable folder is found before the work, not after it
         chapter(report);
         report.finish();
         return 0;
     } catch (const std::exception& problem) {
         std::cerr << name << ": " << problem.what() << '\n';
-        std::error_code ignored;
-        std::filesystem::remove(folder / "numbers.csv", ignored);
         return 1;
     }
 }

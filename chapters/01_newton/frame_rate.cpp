@@ -1,0 +1,139 @@
+// The same throw on machines of different speed, and the game loop that makes them agree.
+#include <nutshell/game_loop.hpp>
+#include <nutshell/lab/chart.hpp>
+#include <nutshell/lab/run.hpp>
+#include <nutshell/newton_methods.hpp>
+#include <nutshell/newton_scenes.hpp>
+#include "program.hpp"
+
+namespace nutshell {
+
+namespace {
+
+const std::vector<int> rates{30, 60, 144};   // [Hz]; their common instants are the multiples of 1/6 s
+
+/// Frame times [s] of a machine that draws at about `hertz`, each frame up to `ragged` longer or shorter, with one
+/// hitch of `hitch` seconds in the middle. The same list in every run: the unevenness comes from a fixed sequence.
+std::vector<double> frame_times(double duration, double hertz, double ragged, double hitch) {
+    std::vector<double> frames;
+    unsigned state = 1;
+    for (double t = 0; t < duration;) {
+        state = state * 1664525u + 1013904223u;   // Numerical Recipes' generator
+        const double uneven = static_cast<double>(state >> 8) / (1 << 24) * 2 - 1;
+        double frame = (1 + ragged * uneven) / hertz;
+        if (hitch > 0 && t < duration / 2 && t + frame >= duration / 2) frame = hitch;
+        frames.push_back(std::min(frame, duration - t));
+        t += frame;
+    }
+    return frames;
+}
+
+struct Landing {
+    double following = 0;   ///< error at the end, step = frame time [m]
+    double fixed = 0;       ///< error at the end, fixed step and interpolation [m]
+};
+
+/// Throws the ball twice on one machine, with semi-implicit Euler: once with a step that follows the frame, once with
+/// fixed steps of `step` and the drawn position between the last two.
+Landing land(const std::vector<double>& frames, double step) {
+    const ThrownBall scene;
+    PointMass following = scene.start, previous = scene.start, newest = scene.start;
+    GameClock clock{step};
+    double t = 0, simulated = 0;
+    for (const double frame : frames) {
+        following = semi_implicit_euler(following, scene, t, frame);
+        t += frame;
+        for (int due = steps_due(clock, frame); due > 0; --due) {
+            previous = newest;
+            newest = semi_implicit_euler(newest, scene, simulated, step);
+            simulated += step;
+        }
+    }
+    const Vector3 shown = drawn_position(clock, previous, newest);
+    return {(following.position - scene.exact(t).position).norm(), (shown - scene.exact(t - step).position).norm()};
+}
+
+}  // namespace
+
+void frame_rate(lab::Report& report) {
+    const ThrownBall scene;
+    report.heading("Frame rate: one throw, one step a frame, height above the exact path after 3 s");
+    lab::Table table{{"rate [Hz]", "Euler [m]", "semi-implicit Euler [m]", "Verlet [m]"}, {}};
+    lab::Chart chart;
+    chart.title = "Euler's ball flies higher on a slower machine";
+    chart.subtitle = "Thrown ball, one Euler step a frame.";
+    chart.x = {"time [s]"};
+    chart.y = {"computed minus exact height [m]"};
+    for (const int rate : rates) {
+        lab::Series series{std::to_string(rate) + " Hz"};
+        lab::run(scene, euler_method, 3 * rate, [&](const PointMass& ball, double t) {
+            series.x.push_back(t), series.y.push_back((ball.position - scene.exact(t).position).y());
+        });
+        const double euler_error = series.y.back();
+        const auto height = [&](const auto& method) { return (lab::run(scene, method, 3 * rate).position - scene.exact(3).position).y(); };
+        table.add({std::to_string(rate), lab::rounded(euler_error, "%.5f"), lab::rounded(height(semi_implicit_euler_method), "%.5f"),
+                   lab::rounded(height(verlet_method), "%.1e")});
+        report.number("frame_rate.euler." + std::to_string(rate), euler_error, "m");
+        report.number("frame_rate.verlet." + std::to_string(rate), height(verlet_method), "m");
+        series.draw = lab::Draw::line;
+        chart.series.push_back(std::move(series));
+    }
+    report.print(table);
+    lab::write_svg(chart, report.path("frame_rate.svg"));
+}
+
+void game_loop(lab::Report& report) {
+    const double step = 1.0 / 120;
+    report.heading("Game loop: the same throw on five machines, semi-implicit Euler, error where the ball is drawn after 3 s");
+    lab::Table table{{"machine", "step follows the frame [m]", "fixed step of 1/120 s [m]"}, {}};
+    double least = 1e9, most = 0, fixed_least = 1e9, fixed_most = 0;
+    const auto machine = [&](const std::string& name, double hertz, double ragged, double hitch) {
+        const Landing landing = land(frame_times(3, hertz, ragged, hitch), step);
+        table.add({name, lab::rounded(landing.following, "%.4f"), lab::rounded(landing.fixed, "%.4f")});
+        least = std::min(least, landing.following), most = std::max(most, landing.following);
+        fixed_least = std::min(fixed_least, landing.fixed), fixed_most = std::max(fixed_most, landing.fixed);
+    };
+    machine("144 Hz", 144, 0, 0);
+    machine("60 Hz", 60, 0, 0);
+    machine("60 Hz, uneven", 60, 0.8, 0);
+    machine("30 Hz", 30, 0, 0);
+    machine("60 Hz, one hitch of half a second", 60, 0, 0.5);
+    report.print(table);
+    report.number("game_loop.following_least", least, "m");
+    report.number("game_loop.following_most", most, "m");
+    report.number("game_loop.fixed_least", fixed_least, "m");
+    report.number("game_loop.fixed_most", fixed_most, "m");
+
+    // The spiral of death: a step of 1/60 s of physics that takes the machine 20 ms.
+    const double slow_step = 1.0 / 60, cost = 0.020;
+    lab::Chart chart;
+    chart.title = "The spiral of death, and the cap that ends it";
+    chart.subtitle = "Each step simulates 16.7 ms and costs the machine 20 ms.";
+    chart.x = {"frame"};
+    chart.y = {"time the frame takes [s]", lab::Scale::logarithmic};
+    double simulated_share = 0;
+    for (const int cap : {1'000'000, 5}) {
+        GameClock clock{slow_step, 0, cap};
+        lab::Series series{cap == 5 ? "at most 5 steps a frame" : "no cap"};
+        double frame = slow_step, played = 0, real = 0;
+        for (int i = 0; i < 40; ++i) {
+            const int made = steps_due(clock, frame);
+            real += frame;
+            played += made * slow_step;
+            series.x.push_back(i), series.y.push_back(frame);
+            frame = std::max(slow_step, made * cost);
+        }
+        series.draw = lab::Draw::line;
+        if (cap == 5) simulated_share = played / real;
+        report.number(cap == 5 ? "spiral.capped_frame" : "spiral.last_frame", series.y.back(), "s");
+        chart.series.push_back(std::move(series));
+    }
+    lab::write_svg(chart, report.path("spiral_of_death.svg"));
+    report.number("spiral.growth", cost / slow_step);
+    report.number("spiral.capped_speed", simulated_share);
+    report.say("A step that costs 20 ms and simulates 16.7 ms: frame 40 takes " + lab::rounded(chart.series[0].y.back()) +
+               " s without a cap, " + lab::rounded(chart.series[1].y.back()) + " s with one; the game then runs at " +
+               lab::rounded(100 * simulated_share) + " % of real time.");
+}
+
+}  // namespace nutshell

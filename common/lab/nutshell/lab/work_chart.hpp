@@ -1,0 +1,21 @@
+// From a study to its chart and its table, the same in every chapter.
+#pragma once
+#include <nutshell/lab/chart.hpp>
+#include <nutshell/lab/output.hpp>
+#include <nutshell/lab/study.hpp>
+
+namespace nutshell::lab {
+
+enum class Cost { evaluations, time };
+
+/// A work-precision chart: largest error against cost, with the scene's need as tolerance line and the cheapest way
+/// to meet it ringed. Title, subtitle and guides are the caller's to set.
+Chart work_precision_chart(const std::vector<Curve>& curves, const Need& need, Cost cost);
+
+/// The same study as data: method, steps, dt, evaluations, max_error, final_error, seconds_per_second.
+Table work_precision_data(const std::vector<Curve>& curves);
+
+/// What it takes to meet the need, cheapest first: method, steps, dt, evaluations, error, time.
+Table ways_table(const std::vector<Choice>& ways, const Need& need);
+
+}  // namespace nutshell::lab
