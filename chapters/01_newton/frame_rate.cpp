@@ -1,9 +1,9 @@
 // The same throw on machines of different speed, and the game loop that makes them agree.
-#include <nutshell/game_loop.hpp>
 #include <nutshell/lab/chart.hpp>
 #include <nutshell/lab/run.hpp>
 #include <nutshell/newton_methods.hpp>
 #include <nutshell/newton_scenes.hpp>
+#include "frames.hpp"
 #include "program.hpp"
 
 namespace nutshell {
@@ -11,47 +11,6 @@ namespace nutshell {
 namespace {
 
 const std::vector<int> rates{30, 60, 144};   // [Hz]; their common instants are the multiples of 1/6 s
-
-/// Frame times [s] of a machine that draws at about `hertz`, each frame up to `ragged` longer or shorter, with one
-/// hitch of `hitch` seconds in the middle. The same list in every run: the unevenness comes from a fixed sequence.
-std::vector<double> frame_times(double duration, double hertz, double ragged, double hitch) {
-    std::vector<double> frames;
-    unsigned state = 1;
-    for (double t = 0; t < duration;) {
-        state = state * 1664525u + 1013904223u;   // Numerical Recipes' generator
-        const double uneven = static_cast<double>(state >> 8) / (1 << 24) * 2 - 1;
-        double frame = (1 + ragged * uneven) / hertz;
-        if (hitch > 0 && t < duration / 2 && t + frame >= duration / 2) frame = hitch;
-        frames.push_back(std::min(frame, duration - t));
-        t += frame;
-    }
-    return frames;
-}
-
-struct Landing {
-    double following = 0;   ///< error at the end, step = frame time [m]
-    double fixed = 0;       ///< error at the end, fixed step and interpolation [m]
-};
-
-/// Throws the ball twice on one machine, with semi-implicit Euler: once with a step that follows the frame, once with
-/// fixed steps of `step` and the drawn position between the last two.
-Landing land(const std::vector<double>& frames, double step) {
-    const ThrownBall scene;
-    PointMass following = scene.start, previous = scene.start, newest = scene.start;
-    GameClock clock{step};
-    double t = 0, simulated = 0;
-    for (const double frame : frames) {
-        following = semi_implicit_euler(following, scene, t, frame);
-        t += frame;
-        for (int due = steps_due(clock, frame); due > 0; --due) {
-            previous = newest;
-            newest = semi_implicit_euler(newest, scene, simulated, step);
-            simulated += step;
-        }
-    }
-    const Vector3 shown = drawn_position(clock, previous, newest);
-    return {(following.position - scene.exact(t).position).norm(), (shown - scene.exact(t - step).position).norm()};
-}
 
 }  // namespace
 
@@ -83,26 +42,26 @@ void frame_rate(lab::Report& report) {
 }
 
 void game_loop(lab::Report& report) {
-    const double step = 1.0 / 120;
     report.heading("Game loop: the same throw on five machines, semi-implicit Euler, error where the ball is drawn after 3 s");
+    const ThrownBall scene;
     lab::Table table{{"machine", "step follows the frame [m]", "fixed step of 1/120 s [m]"}, {}};
     double least = 1e9, most = 0, fixed_least = 1e9, fixed_most = 0;
-    const auto machine = [&](const std::string& name, double hertz, double ragged, double hitch) {
-        const Landing landing = land(frame_times(3, hertz, ragged, hitch), step);
-        table.add({name, lab::rounded(landing.following, "%.4f"), lab::rounded(landing.fixed, "%.4f")});
-        least = std::min(least, landing.following), most = std::max(most, landing.following);
-        fixed_least = std::min(fixed_least, landing.fixed), fixed_most = std::max(fixed_most, landing.fixed);
-    };
-    machine("144 Hz", 144, 0, 0);
-    machine("60 Hz", 60, 0, 0);
-    machine("60 Hz, uneven", 60, 0.8, 0);
-    machine("30 Hz", 30, 0, 0);
-    machine("60 Hz, one hitch of half a second", 60, 0, 0.5);
+    for (const Machine& machine : machines()) {
+        double following = 0, fixed = 0;   // the last frame's errors [m]; the fixed loop draws the ball one step late
+        play(machine, [&](const Shown& shown) {
+            following = (shown.following - scene.exact(shown.time).position).norm();
+            fixed = (shown.fixed - scene.exact(shown.time - fixed_step).position).norm();
+        });
+        table.add({machine.name, lab::rounded(following, "%.4f"), lab::rounded(fixed, "%.4f")});
+        least = std::min(least, following), most = std::max(most, following);
+        fixed_least = std::min(fixed_least, fixed), fixed_most = std::max(fixed_most, fixed);
+    }
     report.print(table);
     report.number("game_loop.following_least", least, "m");
     report.number("game_loop.following_most", most, "m");
     report.number("game_loop.fixed_least", fixed_least, "m");
     report.number("game_loop.fixed_most", fixed_most, "m");
+    report.number("game_loop.fixed_spread", fixed_most - fixed_least, "m");
 
     // The spiral of death: a step of 1/60 s of physics that takes the machine 20 ms.
     const double slow_step = 1.0 / 60, cost = 0.020;

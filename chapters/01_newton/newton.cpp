@@ -8,5 +8,6 @@ int main(int argc, char** argv) {
         nutshell::planet(report);
         nutshell::frame_rate(report);
         nutshell::game_loop(report);
+        nutshell::pictures(report);
     });
 }

@@ -9,5 +9,6 @@ void thrown_ball(lab::Report& report);
 void planet(lab::Report& report);
 void frame_rate(lab::Report& report);
 void game_loop(lab::Report& report);
+void pictures(lab::Report& report);
 
 }  // namespace nutshell

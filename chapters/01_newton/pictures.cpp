@@ -1,0 +1,147 @@
+// The pictures of chapter 1, and the book's cover.
+#include <nutshell/game_loop.hpp>
+#include <nutshell/lab/run.hpp>
+#include <nutshell/newton_methods.hpp>
+#include <nutshell/newton_scenes.hpp>
+#include <nutshell/picture/picture.hpp>
+#include "frames.hpp"
+#include "program.hpp"
+
+namespace nutshell {
+
+namespace pic = picture;
+
+namespace {
+
+using Path = std::vector<Vector3>;
+
+/// Positions after every `every`-th step.
+template <class Scene, class Method>
+Path path(const Scene& scene, const Method& method, long steps, long every = 1) {
+    Path points;
+    long n = 0;
+    lab::run(scene, method, steps, [&](const PointMass& body, double) {
+        if (n++ % every == 0) points.push_back(body.position);
+    });
+    return points;
+}
+
+template <class Scene>
+Path exact_path(const Scene& scene, long pieces) {
+    Path points;
+    for (long n = 0; n <= pieces; ++n) points.push_back(scene.exact(scene.duration * static_cast<double>(n) / static_cast<double>(pieces)).position);
+    return points;
+}
+
+void straight_line_picture(lab::Report& report) {
+    const StraightLine scene;
+    const pic::Note note{report.command(), "straight line", "Verlet", "0.5 s", {{"largest error", lab::measure(scene, verlet_method, 8).max_error, "m"}}};
+    pic::save(report.path("straight_line.png"), note, [&] {
+        pic::Drawing drawing;
+        pic::add(drawing, pic::Stroboscope{.computed = path(scene, verlet_method, 8), .exact = {}, .exact_path = {}, .radius = 0.22});
+        drawing.add(pic::Arrow{.from = scene.start.position, .vector = scene.start.velocity * 0.8, .label = "v"});
+        drawing.title("No force: the same distance in the same time").caption("an image every 0.5 s");
+        return pic::render(drawing, pic::fit(drawing, {0.2, 0.35, 1}));
+    });
+}
+
+void throw_picture(lab::Report& report) {
+    const ThrownBall scene;
+    const long steps = 12;
+    const double dt = scene.duration / steps;
+    const pic::Note note{report.command(), "thrown ball", "Euler", lab::rounded(dt) + " s",
+                         {{"height above the exact path at the end", (lab::run(scene, euler_method, steps).position - scene.exact(scene.duration).position).y(), "m"}}};
+    pic::save(report.path("throw.png"), note, [&] {
+        pic::Drawing drawing;
+        pic::add(drawing, pic::Stroboscope{.computed = path(scene, euler_method, steps), .exact = exact_path(scene, steps),
+                                           .exact_path = exact_path(scene, 100), .radius = 0.45, .colour = pic::palette::explicit_euler});
+        drawing.ground({.height = -0.45, .spacing = 5});
+        drawing.title("Euler's ball flies too high").caption("solid: Euler, one step every 0.25 s.  ghost: exact");
+        return pic::render(drawing, pic::fit(drawing, {0.12, 0.18, 1}));
+    });
+}
+
+pic::Drawing orbits(const Planet& scene, const Path& points, pic::Colour colour) {
+    pic::Drawing drawing;
+    drawing.ground({.height = -0.25, .normal = Vector3::UnitZ(), .spacing = 0.5, .unit = "a"});
+    drawing.add(pic::Trail{.points = exact_path(Planet::for_orbits(1), 300), .colour = pic::palette::ink, .dashed = true, .width = 3, .shadow = false});
+    drawing.add(pic::Trail{.points = points, .colour = colour, .width = 2.5, .opacity_at_start = 0.55});
+    drawing.add(pic::Ball{.centre = {0, 0, 0}, .radius = 0.11, .colour = pic::palette::gold, .shines = true});
+    drawing.add(pic::Ball{.centre = points.back(), .radius = 0.06, .colour = colour});
+    drawing.add(pic::Ball{.centre = scene.start.position, .radius = 0.045, .look = pic::Look::ghost});
+    return drawing;
+}
+
+void planet_picture(lab::Report& report) {
+    const long steps_an_orbit = 200;
+    const Planet few = Planet::for_orbits(3), many = Planet::for_orbits(20);
+    const Path euler_path = path(few, euler_method, 3 * steps_an_orbit), verlet_path = path(many, verlet_method, 20 * steps_an_orbit);
+    const pic::Note note{report.command(), "planet, e = 0.6", "Euler, 3 orbits' time; Verlet, 20 orbits", "1/200 orbit",
+                         {{"Euler, error at the end", few.error(lab::run(few, euler_method, 3 * steps_an_orbit), few.duration), "a"},
+                          {"Verlet, error at the end", many.error(lab::run(many, verlet_method, 20 * steps_an_orbit), many.duration), "a"}}};
+    pic::save(report.path("planet.png"), note, [&] {
+        const pic::Size half{640, 600};
+        const Vector3 from(-0.3, -1.0, 1.5);
+        const pic::Fit how{.margin = 0.06, .up = Vector3::UnitZ()};
+        pic::Drawing left = orbits(few, euler_path, pic::palette::explicit_euler), right = orbits(many, verlet_path, pic::palette::symplectic);
+        return pic::side_by_side(pic::render(left, pic::fit(left, from, half, how), half),
+                                 pic::render(right, pic::fit(right, from, half, how), half),
+                                 "Euler, 3 years", "Verlet, 20 years");
+    });
+}
+
+/// The throw of five machines: with a step that follows the frame, or with fixed steps and drawing between them.
+pic::Drawing five_machines(bool fixed_step) {
+    const ThrownBall scene;
+    pic::Drawing drawing;
+    drawing.ground({.height = -0.3, .spacing = 5});
+    drawing.add(pic::Trail{.points = exact_path(scene, 100), .colour = pic::palette::ink, .dashed = true, .width = 3, .shadow = false});
+    for (const Machine& machine : machines()) {
+        Path points;
+        play(machine, [&](const Shown& shown) { points.push_back(fixed_step ? shown.fixed : shown.following); });
+        drawing.add(pic::Trail{.points = points, .colour = pic::palette::symplectic, .width = 2.5});
+        drawing.add(pic::Ball{.centre = points.back(), .radius = 0.5, .colour = pic::palette::symplectic});
+    }
+    return drawing;
+}
+
+void game_loop_picture(lab::Report& report) {
+    const pic::Note note{report.command(), "thrown ball on five machines", "semi-implicit Euler", "the frame's, or fixed 1/120 s", {}};
+    pic::save(report.path("game_loop.png"), note, [&] {
+        const pic::Size half{640, 480};
+        pic::Drawing left = five_machines(false), right = five_machines(true);
+        const pic::Camera camera = pic::fit(left, {0.12, 0.18, 1}, half);
+        return pic::side_by_side(pic::render(left, camera, half), pic::render(right, camera, half), "step follows the frame",
+                                 "fixed step, drawn between");
+    });
+}
+
+void cover(lab::Report& report) {
+    const long steps_an_orbit = 45;
+    const double orbits_drawn = 14;
+    const Planet scene = Planet::for_orbits(orbits_drawn);
+    const pic::Note note{report.command(), "planet, e = 0.6", "Verlet", "1/45 orbit", {}};
+    pic::save(report.path("cover.png"), note, [&] {
+        const Path points = path(scene, verlet_method, static_cast<long>(orbits_drawn) * steps_an_orbit);
+        pic::Drawing drawing;
+        drawing.ground({.height = -0.3, .normal = Vector3::UnitZ(), .spacing = 0.5, .unit = "a"});
+        drawing.add(pic::Trail{.points = points, .colour = pic::palette::symplectic, .width = 3, .opacity_at_start = 0.35});
+        drawing.add(pic::Ball{.centre = {0, 0, 0}, .radius = 0.13, .colour = pic::palette::gold, .shines = true});
+        const long last_orbit = static_cast<long>(points.size()) - steps_an_orbit;
+        for (long n = last_orbit; n < static_cast<long>(points.size()); ++n)
+            drawing.add(pic::Ball{.centre = points[static_cast<std::size_t>(n)], .radius = 0.05, .colour = pic::palette::body});
+        return pic::render(drawing, pic::fit(drawing, {-0.4, -1.3, 0.8}, {1200, 560}, {.margin = 0.03, .up = Vector3::UnitZ()}), {1200, 560});
+    });
+}
+
+}  // namespace
+
+void pictures(lab::Report& report) {
+    straight_line_picture(report);
+    throw_picture(report);
+    planet_picture(report);
+    game_loop_picture(report);
+    cover(report);
+}
+
+}  // namespace nutshell
