@@ -10,12 +10,16 @@ namespace nutshell {
 /// How a machine draws: about `hertz` frames a second, each up to the share `ragged` longer or shorter,
 /// with one hitch of `hitch` seconds in the middle.
 struct Machine {
-    std::string name;
+    std::string name, label;   // in a table, and beside a ball
     double hertz, ragged = 0, hitch = 0;
 };
 
 inline std::vector<Machine> machines() {
-    return {{"144 Hz", 144}, {"60 Hz", 60}, {"60 Hz, uneven", 60, 0.8}, {"30 Hz", 30}, {"60 Hz, one hitch of half a second", 60, 0, 0.5}};
+    return {{"144 Hz", "144 Hz", 144},
+            {"60 Hz", "60 Hz", 60},
+            {"60 Hz, uneven", "uneven", 60, 0.8},
+            {"30 Hz", "30 Hz", 30},
+            {"60 Hz, one hitch of half a second", "a hitch", 60, 0, 0.5}};
 }
 
 /// The machine's frame times [s], adding up to `duration`. The same list in every run: the unevenness comes from a

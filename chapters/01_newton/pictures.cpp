@@ -73,62 +73,70 @@ pic::Drawing orbits(const Planet& scene, const Path& points, pic::Colour colour)
 }
 
 void planet_picture(lab::Report& report) {
-    const long steps_an_orbit = 200;
-    const Planet few = Planet::for_orbits(3), many = Planet::for_orbits(20);
-    const Path euler_path = path(few, euler_method, 3 * steps_an_orbit), verlet_path = path(many, verlet_method, 20 * steps_an_orbit);
-    const pic::Note note{report.command(), "planet, e = 0.6", "Euler, 3 orbits' time; Verlet, 20 orbits", "1/200 orbit",
-                         {{"Euler, error at the end", few.error(lab::run(few, euler_method, 3 * steps_an_orbit), few.duration), "a"},
-                          {"Verlet, error at the end", many.error(lab::run(many, verlet_method, 20 * steps_an_orbit), many.duration), "a"}}};
+    const long euler_steps = 1000, verlet_steps = 100;   // a year: Euler gets ten times as many
+    const Planet few = Planet::for_orbits(6), many = Planet::for_orbits(20);
+    const Path euler_path = path(few, euler_method, 6 * euler_steps), verlet_path = path(many, verlet_method, 20 * verlet_steps);
+    const pic::Note note{report.command(), "planet, e = 0.6", "Euler, 6 years; Verlet, 20 years", "1/1000 year (Euler), 1/100 year (Verlet)",
+                         {{"Euler, error at the end", few.error(lab::run(few, euler_method, 6 * euler_steps), few.duration), "a"},
+                          {"Verlet, error at the end", many.error(lab::run(many, verlet_method, 20 * verlet_steps), many.duration), "a"}}};
     pic::save(report.path("planet.png"), note, [&] {
-        const pic::Size half{640, 600};
+        const pic::Size half{640, 560};
         const Vector3 from(-0.3, -1.0, 1.5);
-        const pic::Fit how{.margin = 0.06, .up = Vector3::UnitZ()};
+        const pic::Fit how{.margin = 0.05, .up = Vector3::UnitZ()};
         pic::Drawing left = orbits(few, euler_path, pic::palette::explicit_euler), right = orbits(many, verlet_path, pic::palette::symplectic);
         return pic::side_by_side(pic::render(left, pic::fit(left, from, half, how), half),
                                  pic::render(right, pic::fit(right, from, half, how), half),
-                                 "Euler, 3 years", "Verlet, 20 years");
+                                 "Euler, 1000 steps a year", "Verlet, 100 steps a year");
     });
 }
 
-/// The throw of five machines: with a step that follows the frame, or with fixed steps and drawing between them.
-pic::Drawing five_machines(bool fixed_step) {
+/// The last part of the throw on five machines: with a step that follows the frame, or with fixed steps and drawing
+/// between them.
+pic::Drawing landings(bool fixed_step) {
     const ThrownBall scene;
+    const double from = 2.4;   // [s]
     pic::Drawing drawing;
-    drawing.ground({.height = -0.3, .spacing = 5});
-    drawing.add(pic::Trail{.points = exact_path(scene, 100), .colour = pic::palette::ink, .dashed = true, .width = 3, .shadow = false});
+    drawing.ground({.height = -1.6, .spacing = 1});
+    Path exact;
+    for (double t = from; t <= scene.duration; t += 0.01) exact.push_back(scene.exact(t).position);
+    drawing.add(pic::Trail{.points = exact, .colour = pic::palette::ink, .dashed = true, .width = 3, .shadow = false});
     for (const Machine& machine : machines()) {
         Path points;
-        play(machine, [&](const Shown& shown) { points.push_back(fixed_step ? shown.fixed : shown.following); });
-        drawing.add(pic::Trail{.points = points, .colour = pic::palette::symplectic, .width = 2.5});
-        drawing.add(pic::Ball{.centre = points.back(), .radius = 0.5, .colour = pic::palette::symplectic});
+        play(machine, [&](const Shown& shown) {
+            if (shown.time >= from) points.push_back(fixed_step ? shown.fixed : shown.following);
+        });
+        drawing.add(pic::Trail{.points = points, .colour = pic::palette::symplectic, .width = 3});
+        drawing.add(pic::Ball{.centre = points.back(), .radius = 0.11, .colour = pic::palette::symplectic});
+        if (!fixed_step) drawing.add(pic::Label{.at = points.back() + Vector3(0.2, 0, 0), .text = machine.label});
     }
+    if (fixed_step) drawing.add(pic::Label{.at = scene.exact(scene.duration).position + Vector3(0.2, 0, 0), .text = "all five"});
     return drawing;
 }
 
 void game_loop_picture(lab::Report& report) {
-    const pic::Note note{report.command(), "thrown ball on five machines", "semi-implicit Euler", "the frame's, or fixed 1/120 s", {}};
+    const pic::Note note{report.command(), "the end of a throw, on five machines", "semi-implicit Euler", "the frame's, or fixed 1/120 s", {}};
     pic::save(report.path("game_loop.png"), note, [&] {
-        const pic::Size half{640, 480};
-        pic::Drawing left = five_machines(false), right = five_machines(true);
-        const pic::Camera camera = pic::fit(left, {0.12, 0.18, 1}, half);
+        const pic::Size half{640, 560};
+        pic::Drawing left = landings(false), right = landings(true);
+        const pic::Camera camera = pic::fit(left, {0.1, 0.12, 1}, half);
         return pic::side_by_side(pic::render(left, camera, half), pic::render(right, camera, half), "step follows the frame",
                                  "fixed step, drawn between");
     });
 }
 
 void cover(lab::Report& report) {
-    const long steps_an_orbit = 45;
-    const double orbits_drawn = 14;
+    const long steps_an_orbit = 80;
+    const double orbits_drawn = 26;
     const Planet scene = Planet::for_orbits(orbits_drawn);
-    const pic::Note note{report.command(), "planet, e = 0.6", "Verlet", "1/45 orbit", {}};
+    const pic::Note note{report.command(), "planet, e = 0.6", "Verlet", "1/80 orbit", {}};
     pic::save(report.path("cover.png"), note, [&] {
         const Path points = path(scene, verlet_method, static_cast<long>(orbits_drawn) * steps_an_orbit);
         pic::Drawing drawing;
         drawing.ground({.height = -0.3, .normal = Vector3::UnitZ(), .spacing = 0.5, .unit = "a"});
-        drawing.add(pic::Trail{.points = points, .colour = pic::palette::symplectic, .width = 3, .opacity_at_start = 0.35});
+        drawing.add(pic::Trail{.points = points, .colour = pic::palette::symplectic, .width = 2, .opacity_at_start = 0.25});
         drawing.add(pic::Ball{.centre = {0, 0, 0}, .radius = 0.13, .colour = pic::palette::gold, .shines = true});
         const long last_orbit = static_cast<long>(points.size()) - steps_an_orbit;
-        for (long n = last_orbit; n < static_cast<long>(points.size()); ++n)
+        for (long n = last_orbit; n < static_cast<long>(points.size()); n += 4)
             drawing.add(pic::Ball{.centre = points[static_cast<std::size_t>(n)], .radius = 0.05, .colour = pic::palette::body});
         return pic::render(drawing, pic::fit(drawing, {-0.4, -1.3, 0.8}, {1200, 560}, {.margin = 0.03, .up = Vector3::UnitZ()}), {1200, 560});
     });
