@@ -66,7 +66,7 @@ pic::Drawing orbits(const Planet& scene, const Path& points, pic::Colour colour)
     drawing.ground({.height = -0.25, .normal = Vector3::UnitZ(), .spacing = 0.5, .unit = "a"});
     drawing.add(pic::Trail{.points = exact_path(Planet::for_orbits(1), 300), .colour = pic::palette::ink, .dashed = true, .width = 3, .shadow = false});
     drawing.add(pic::Trail{.points = points, .colour = colour, .width = 2.5, .opacity_at_start = 0.55});
-    drawing.add(pic::Ball{.centre = {0, 0, 0}, .radius = 0.11, .colour = pic::palette::gold, .shines = true});
+    drawing.add(pic::Ball{.centre = {0, 0, 0}, .radius = 0.06, .colour = pic::palette::gold, .shines = true});
     drawing.add(pic::Ball{.centre = points.back(), .radius = 0.06, .colour = colour});
     drawing.add(pic::Ball{.centre = scene.start.position, .radius = 0.045, .look = pic::Look::ghost});
     return drawing;
@@ -94,11 +94,11 @@ void planet_picture(lab::Report& report) {
 /// between them.
 pic::Drawing landings(bool fixed_step) {
     const ThrownBall scene;
-    const double from = 2.4;   // [s]
+    const double from = 2.85;   // [s]
     pic::Drawing drawing;
-    drawing.ground({.height = -1.6, .spacing = 1});
+    drawing.ground({.height = -1.1, .spacing = 1});
     Path exact;
-    for (double t = from; t <= scene.duration; t += 0.01) exact.push_back(scene.exact(t).position);
+    for (double t = from; t <= scene.duration; t += 0.005) exact.push_back(scene.exact(t).position);
     drawing.add(pic::Trail{.points = exact, .colour = pic::palette::ink, .dashed = true, .width = 3, .shadow = false});
     for (const Machine& machine : machines()) {
         Path points;
@@ -106,10 +106,11 @@ pic::Drawing landings(bool fixed_step) {
             if (shown.time >= from) points.push_back(fixed_step ? shown.fixed : shown.following);
         });
         drawing.add(pic::Trail{.points = points, .colour = pic::palette::symplectic, .width = 3});
-        drawing.add(pic::Ball{.centre = points.back(), .radius = 0.11, .colour = pic::palette::symplectic});
-        if (!fixed_step) drawing.add(pic::Label{.at = points.back() + Vector3(0.2, 0, 0), .text = machine.label});
+        drawing.add(pic::Ball{.centre = points.back(), .radius = 0.06, .colour = pic::palette::symplectic});
+        const double side = machine.ragged > 0 ? -0.12 : 0.12;   // beside its ball, off the neighbour's
+        if (!fixed_step) drawing.add(pic::Label{.at = points.back() + Vector3(side, 0, 0), .text = machine.label});
     }
-    if (fixed_step) drawing.add(pic::Label{.at = scene.exact(scene.duration).position + Vector3(0.2, 0, 0), .text = "all five"});
+    if (fixed_step) drawing.add(pic::Label{.at = scene.exact(scene.duration).position + Vector3(0.12, 0, 0), .text = "all five"});
     return drawing;
 }
 
