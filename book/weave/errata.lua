@@ -17,6 +17,10 @@ function Errata.load()
             local entry = {line = row.line}
             for c, name in ipairs(columns) do entry[name] = row[c] end
             if Errata.by_id[entry.id] then Report.add(file, row.line, entry.id .. " is there twice") end
+            entry.pages = {}
+            for name, anchor in entry.lives:gmatch("page:%s*([%w_]+)#?([^;%s]*)") do
+                table.insert(entry.pages, {name = name, anchor = anchor})
+            end
             Errata.by_id[entry.id] = entry
             Errata.list[#Errata.list + 1] = entry
         end
@@ -32,10 +36,8 @@ local function lives_html(page, entry)
         if item == "wording" then
             html = "wording only"
         elseif kind == "page" then
-            local name, anchor = what:match("^([%w_]+)%.?%a*#?(.*)$")
+            local name, anchor = what:match("^([%w_]+)#?(.*)$")
             html = ('shown on <a href="%s.html%s">%s</a>'):format(name, anchor ~= "" and "#" .. anchor or "", Errata.place(name, anchor))
-            entry.pages = entry.pages or {}
-            table.insert(entry.pages, {name = name, anchor = anchor})
         elseif kind == "planned" then
             html = "planned: " .. Page.escape(what)
         elseif kind == "mistake" or kind == "test" then
@@ -66,7 +68,7 @@ function Errata.check_pages()
         for id in page.body:gmatch('%sid="([^"]*)"') do ids[page.name][id] = true end
     end
     for _, entry in ipairs(Errata.list) do
-        for _, p in ipairs(entry.pages or {}) do
+        for _, p in ipairs(entry.pages) do
             if not ids[p.name] or not ids[p.name][p.anchor] then
                 Report.add(file, entry.line, ("%s lives on page %s#%s, and there is no such place"):format(entry.id, p.name, p.anchor))
             end

@@ -1,7 +1,7 @@
 -- Figures: pictures (.png, copied) and charts (.svg, put into the page, so that tooltips and dark mode work).
 --   ![Caption.](planet.png){#fig:planet}     alone in its paragraph; another chapter's: 03_forces/chain.png
 --   attributes: command="…" (else the picture's .txt says it), alt="…", width=60%
--- A picture that is not there though its .txt is was declared and could not be drawn: the page says so in its place.
+-- A picture whose .txt says "not drawn: REASON" was declared and could not be drawn: the page says so in its place.
 local Figures = {}
 
 local function note(path)                           -- the picture's .txt: "key: value" lines
@@ -35,6 +35,16 @@ local function chart(page, at, src, svg)
     return '<div class="plot">' .. svg .. "</div>"
 end
 
+--- What the reader types to make the picture: the chapter's program is what ./course run N runs.
+function Figures.command(chapter, fields)
+    local run = "./course run " .. tonumber(chapter:match("^%d+"))
+    local noted = fields and fields.command
+    if not noted then return run end
+    local program, arguments = noted:match("^(%S+)%s*(.-)%s*$")
+    local own = program:match("[^/]*$") == chapter and (arguments == "" or arguments:find("^%-%-out%s+%S+$"))
+    return own and run or noted
+end
+
 local function content(page, image, at)             -- html, fields of the .txt; nil after a complaint
     local src = image.src
     local chapter, file = src:match("^([%w_]+)/([%w_.-]+)$")
@@ -44,13 +54,13 @@ local function content(page, image, at)             -- html, fields of the .txt;
     end
     local path = Book.results .. "/" .. chapter .. "/" .. file
     local fields = note((path:gsub("%.%w+$", ".txt")))
-    local command = fields and fields.command or ("./course run " .. tonumber(chapter:match("^%d+")))
+    local command = Figures.command(chapter, fields)
     local bytes = Page.read(path, true)
     if not bytes then
-        if not file:find("%.png$") or not fields then
+        local reason = fields and fields["not drawn"]
+        if not file:find("%.png$") or not reason then
             return Report.add(page, at, ("picture %s: there is no %s/%s: draw it in the chapter's program, then %s"):format(src, chapter, file, command))
         end
-        local reason = fields.reason or fields["not drawn"] or fields.missing or "no OpenGL on this machine"
         return ('<div class="not-drawn"><b>%s was not drawn:</b> %s. Once that is mended, <code>%s</code> draws it.</div>')
             :format(Page.escape(src), Page.escape((reason:gsub("%.$", ""))), Page.escape(command)), command
     end
