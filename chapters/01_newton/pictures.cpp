@@ -39,7 +39,7 @@ void straight_line_picture(lab::Report& report) {
     pic::save(report.path("straight_line.png"), note, [&] {
         pic::Drawing drawing;
         pic::add(drawing, pic::Stroboscope{.computed = path(scene, verlet_method, 8), .exact = {}, .exact_path = {}, .radius = 0.22});
-        drawing.add(pic::Arrow{.from = scene.start.position, .vector = scene.start.velocity * 0.8, .label = "v"});
+        drawing.add(pic::Arrow{.from = scene.start.position + Vector3(0, 0.4, 0), .vector = scene.start.velocity * 0.8, .label = "v"});
         drawing.title("No force: the same distance in the same time").caption("an image every 0.5 s");
         return pic::render(drawing, pic::fit(drawing, {0.2, 0.35, 1}));
     });
@@ -107,7 +107,7 @@ pic::Drawing landings(bool fixed_step) {
         });
         drawing.add(pic::Trail{.points = points, .colour = pic::palette::symplectic, .width = 3});
         drawing.add(pic::Ball{.centre = points.back(), .radius = 0.06, .colour = pic::palette::symplectic});
-        const double side = machine.ragged > 0 ? -0.12 : 0.12;   // beside its ball, off the neighbour's
+        const double side = machine.ragged > 0 ? -0.42 : 0.12;   // beside its ball, off the neighbour's
         if (!fixed_step) drawing.add(pic::Label{.at = points.back() + Vector3(side, 0, 0), .text = machine.label});
     }
     if (fixed_step) drawing.add(pic::Label{.at = scene.exact(scene.duration).position + Vector3(0.12, 0, 0), .text = "all five"});

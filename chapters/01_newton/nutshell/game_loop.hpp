@@ -5,19 +5,22 @@
 namespace nutshell {
 
 // [game_clock]
-/// A fixed step with an accumulator. Real time flows in, whole steps flow out, the rest is kept for the next frame.
+/// A fixed step with an accumulator. Real time flows in, whole steps flow out, the rest is
+/// kept for the next frame.
 struct GameClock {
     double step;            ///< the one step of the physics [s], greater than zero
     double owed = 0;        ///< time the physics still owes the clock [s]
-    int most_steps = 1000;  ///< never more steps than this in one frame; the time beyond is dropped
+    int most_steps = 1000;  ///< a frame's limit; the time beyond it is dropped
 };
 
-/// Tells how many steps to make in this frame, and books them. @param frame_time  real time since the last frame [s]
-/// If more than clock.most_steps are due, the surplus is dropped: the game slows down instead of freezing.
-/// @throws std::invalid_argument if the step is not greater than zero or the frame time is negative
+/// Tells how many steps to make in this frame, and books them. If more than clock.most_steps
+/// are due, the surplus is dropped: the game slows down instead of freezing.
+/// @param frame_time  real time since the last frame [s]
+/// @throws std::invalid_argument if the step is not positive or the frame time is negative
 inline int steps_due(GameClock& clock, double frame_time) {
     require_positive(clock.step, "steps_due: the clock's step [s]");
-    require(std::isfinite(frame_time) && frame_time >= 0, "steps_due: the frame time must be finite and not negative");
+    require(std::isfinite(frame_time) && frame_time >= 0,
+            "steps_due: the frame time must be finite and not negative");
     // exercise 1.8
     clock.owed += frame_time;
     const double due = std::floor(clock.owed / clock.step);
@@ -28,7 +31,8 @@ inline int steps_due(GameClock& clock, double frame_time) {
 
 /// What to draw: the state between the last two steps that belongs to the clock's owed time.
 /// Always one step behind the newest state, never jerky. @return position [m]
-inline Vector3 drawn_position(const GameClock& clock, const PointMass& previous, const PointMass& newest) {
+inline Vector3 drawn_position(const GameClock& clock, const PointMass& previous,
+                              const PointMass& newest) {
     const double part = clock.owed / clock.step;
     return (1 - part) * previous.position + part * newest.position;
 }

@@ -38,7 +38,8 @@ inline Vector3 velocity_between(const Vector3& position, const Vector3& next_pos
 /// Acceleration [m/s^2] at the middle one of three positions [m], dt [s] apart from each other.
 /// Source: eq. (2) applied to two velocities of eq. (1).
 /// @throws std::invalid_argument if dt is not finite and greater than zero
-inline Vector3 acceleration_at(const Vector3& before, const Vector3& here, const Vector3& after, double dt) {
+inline Vector3 acceleration_at(const Vector3& before, const Vector3& here, const Vector3& after,
+                               double dt) {
     require_positive(dt, "acceleration_at: dt [s]");
     // exercise 1.2
     return (velocity_between(here, after, dt) - velocity_between(before, here, dt)) / dt;
@@ -62,8 +63,9 @@ inline void kick(PointMass& body, const Vector3& force, double dt) {
 // "for whatever type of state and whatever kind of function": the compiler fills in PointMass here, other states later.
 
 // [euler]
-/// One step of Euler's method: the force of the start of the step, a drift with the velocity of the start, then the kick.
-/// First order; gains energy on every orbit and every spring. Source: eqs. (8)-(9).
+/// One step of Euler's method: drift with the velocity of the start of the step, then kick
+/// with the force of its start. First order; gains energy on every orbit and every spring.
+/// Source: eqs. (8)-(9).
 /// @param forces  called as forces(state, t), gives the push (here a force [N], world frame)
 /// @param t  time at the start of the step [s]      @param dt  step [s]
 template <class State, class Forces>
@@ -79,7 +81,8 @@ State euler(State state, const Forces& forces, double t, double dt) {
 
 // [semi_implicit_euler]
 /// One step of semi-implicit (symplectic) Euler: kick, then drift with the velocity the kick leaves.
-/// First order; keeps the energy of an orbit or a spring in a band. Source: eqs. (8)-(9) with their order exchanged.
+/// First order; keeps the energy of an orbit or a spring in a band.
+/// Source: eqs. (8)-(9) with their order exchanged.
 /// @param forces  called as forces(state, t), gives the push      @param t, dt  time and step [s]
 template <class State, class Forces>
 State semi_implicit_euler(State state, const Forces& forces, double t, double dt) {
@@ -108,9 +111,10 @@ State verlet(State state, const Forces& forces, double t, double dt) {
 // [/verlet]
 
 // [verlet_fsal]
-/// Verlet for many steps in a row: the push at the end of one step is the push at the start of the next ("first same
-/// as last"), so it is kept, and a step costs one evaluation instead of two. The same numbers as `verlet`, bit for bit,
-/// as long as the push depends on position and time only. One object per run: it remembers.
+/// Verlet for many steps in a row: the push at the end of one step is that at the start of the
+/// next ("first same as last"). It is kept, so a step costs one evaluation instead of two. The
+/// same numbers as `verlet`, bit for bit, as long as the push depends on position and time
+/// only. One object per run: it remembers.
 /// @tparam Push  what forces(state, t) gives
 template <class Push>
 struct VerletFsal {
@@ -131,8 +135,9 @@ struct VerletFsal {
 /// What the three methods do to a body under constant acceleration.
 enum class Method { euler, semi_implicit_euler, verlet };
 
-/// Computed minus exact position [m] after `duration` seconds of constant acceleration [m/s^2] in steps of dt [s]:
-/// -a T dt/2 for Euler, +a T dt/2 for semi-implicit Euler, nothing for Verlet. Exact, not an estimate. Eq. (1.a).
+/// Computed minus exact position [m] after `duration` seconds of constant acceleration
+/// [m/s^2] in steps of dt [s]: -a T dt/2 for Euler, +a T dt/2 for semi-implicit Euler, nothing
+/// for Verlet. Exact, not an estimate. Eq. (1.a).
 inline Vector3 throw_error(Method method, const Vector3& acceleration, double duration, double dt) {
     // exercise 1.6
     const Vector3 half_step_lag = acceleration * duration * dt / 2;
@@ -142,8 +147,8 @@ inline Vector3 throw_error(Method method, const Vector3& acceleration, double du
     // end 1.6
 }
 
-/// The largest step [s] that divides `duration` [s] into whole steps and keeps Euler's error at its end within
-/// `tolerance` [m], under constant acceleration [m/s^2]. Eq. (1.a) solved for dt.
+/// The largest step [s] that divides `duration` [s] into whole steps and keeps Euler's error
+/// at its end within `tolerance` [m], under constant acceleration [m/s^2]: (1.a) solved for dt.
 /// @throws std::invalid_argument if tolerance or duration is not finite and greater than zero
 inline double euler_step_within(double tolerance, const Vector3& acceleration, double duration) {
     require_positive(tolerance, "euler_step_within: tolerance [m]");
