@@ -68,6 +68,7 @@ void conservation(lab::Report& report) {
         series.draw = lab::Draw::line;
         energy.series.push_back(std::move(series));
     }
+    report.number("planet.energy_ratio", histories[1].largest_energy / histories[2].largest_energy);
     report.print(table);
     report.data("planet_conservation.csv", data);
     lab::write_svg(energy, report.path("planet_energy.svg"));
@@ -94,6 +95,7 @@ void orders(lab::Report& report) {
         table.add({name, lab::rounded(by_largest, "%.3f"), lab::rounded(by_end, "%.3f")});
         report.number("planet." + key + ".order", by_largest);
         report.number("planet." + key + ".order_at_end", by_end);
+        if (key == "semi_implicit") report.number("planet.disguise", largest.y.back() / at_end.y.back());
         if (key == "euler") return;
         chart.series.push_back(std::move(largest)), chart.series.push_back(std::move(at_end));
     };
