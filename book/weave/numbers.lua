@@ -5,7 +5,7 @@ local Numbers = {}
 local tables = {}
 local thin, narrow = "\u{2009}", "\u{202F}"
 
-local function load(chapter)
+function Numbers.load(chapter)
     if tables[chapter] then return tables[chapter] end
     local path = Book.results .. "/" .. chapter .. "/numbers.csv"
     local t = {values = {}}
@@ -35,8 +35,12 @@ local function take(page, spec, at)
     local chapter, name = full:match("^([^/]+)/(.+)$")
     if not chapter then chapter, name = page.chapter and page.name, full end
     if not chapter then return complain("this page is no chapter: say whose number, 01_newton/" .. full) end
-    local t = load(chapter)
-    if t.missing then return complain(t.missing) end
+    local t = Numbers.load(chapter)
+    if t.missing then                                    -- once is enough
+        if not t.told then complain(t.missing) end
+        t.told = true
+        return nil
+    end
     local entry = t.values[name]
     if not entry then return complain(("no such name in %s/numbers.csv (%s)"):format(chapter, Numbers.nearest(t.values, name))) end
     local value = entry.value
