@@ -25,6 +25,15 @@ double round_step(double least) {
     return 10 * ten;
 }
 
+/// The caller's ends where given, else these.
+Range ends(const Chart& chart, const Axis& axis, double low, double high) {
+    const Range range{std::isnan(axis.from) ? low : axis.from, std::isnan(axis.to) ? high : axis.to};
+    if (!(range.from < range.to))
+        refuse(chart, "has all its data on axis \"" + axis.name + "\" beyond the end that is set (" +
+                          spoken(range.from) + " to " + spoken(range.to) + "); set both ends or none");
+    return range;
+}
+
 Range finished(const Chart& chart, const Axis& axis, Extent extent, bool pad) {
     if (!std::isnan(axis.from)) extent.take(axis.from, axis.scale);
     if (!std::isnan(axis.to)) extent.take(axis.to, axis.scale);
@@ -36,7 +45,7 @@ Range finished(const Chart& chart, const Axis& axis, Extent extent, bool pad) {
     double low = extent.least, high = extent.most;
     if (axis.scale == Scale::logarithmic) {
         if (low == high) low /= 3, high *= 3;
-        const double margin = pad ? std::pow(high / low, room) : 1;
+        const double margin = pad ? std::pow(10, room * (std::log10(high) - std::log10(low))) : 1;
         low = std::max(low / margin, 1e-307), high = std::min(high * margin, 1e307);
     } else {
         if (low == high) {
@@ -53,7 +62,7 @@ Range finished(const Chart& chart, const Axis& axis, Extent extent, bool pad) {
             low -= margin, high += margin;
         }
     }
-    return {std::isnan(axis.from) ? low : axis.from, std::isnan(axis.to) ? high : axis.to};
+    return ends(chart, axis, low, high);
 }
 
 /// Decimals that tell multiples of `step` apart.
@@ -124,9 +133,10 @@ bool Ruler::shows(double value) const {
 
 double Ruler::operator()(double value) const {
     // halves keep the difference of two huge numbers finite
-    const double part = scale == Scale::linear
-                            ? (value / 2 - range.from / 2) / (range.to / 2 - range.from / 2)
-                            : std::log(value / range.from) / std::log(range.to / range.from);
+    const double part =
+        scale == Scale::linear
+            ? (value / 2 - range.from / 2) / (range.to / 2 - range.from / 2)
+            : (std::log(value) - std::log(range.from)) / (std::log(range.to) - std::log(range.from));
     return low + std::clamp(part, -1e4, 1e4) * (high - low);
 }
 
@@ -143,11 +153,8 @@ Range range_of_x(const Chart& chart) {
         extent.take(bar.value, chart.x.scale), extent.take(bar.floor, chart.x.scale);
     for (const Level& level : chart.levels_x) extent.take(level.value, chart.x.scale);
     if (!chart.bars.empty() && chart.x.scale == Scale::linear) extent.take(0, Scale::linear);
-    if (!chart.regions.empty()) {  // the grid fills the plane to its border
-        const Extent bare = extent;
-        return {std::isnan(chart.x.from) ? bare.least : chart.x.from,
-                std::isnan(chart.x.to) ? bare.most : chart.x.to};
-    }
+    // a region's grid fills the plane to its border
+    if (!chart.regions.empty()) return ends(chart, chart.x, extent.least, extent.most);
     return finished(chart, chart.x, extent,
                     chart.x.scale == Scale::logarithmic || marks || !chart.bars.empty());
 }
@@ -160,9 +167,7 @@ Range range_of_y(const Chart& chart) {
         extent.take(region.bottom, chart.y.scale), extent.take(region.top, chart.y.scale);
     for (const Level& level : chart.levels_y) extent.take(level.value, chart.y.scale);
     if (chart.tolerance) extent.take(chart.tolerance->value, chart.y.scale);
-    if (!chart.regions.empty())
-        return {std::isnan(chart.y.from) ? extent.least : chart.y.from,
-                std::isnan(chart.y.to) ? extent.most : chart.y.to};
+    if (!chart.regions.empty()) return ends(chart, chart.y, extent.least, extent.most);
     return finished(chart, chart.y, extent, true);
 }
 

@@ -120,7 +120,7 @@ std::vector<Ring> rings_of(const Chart& chart) {
 std::string draw_guides(const Chart& chart, const Frame& frame, Obstacles& obstacles) {
     if (chart.guides.empty()) return "";
     const auto per_decade = [](const Ruler& ruler) {
-        return std::abs(ruler.high - ruler.low) / std::log10(ruler.range.to / ruler.range.from);
+        return std::abs(ruler.high - ruler.low) / (std::log10(ruler.range.to) - std::log10(ruler.range.from));
     };
     std::vector<double> slopes = chart.guides;  // shallowest first: it carries the word
     std::sort(slopes.begin(), slopes.end(), [](double a, double b) { return std::abs(a) < std::abs(b); });
