@@ -7,7 +7,7 @@ namespace nutshell::exercises {
 
 struct VelocityBetween {
     static constexpr const char *id = "1.1", *function = "velocity_between";
-    static constexpr auto subject = NUTSHELL_CALL(velocity_between);
+    static constexpr auto subject = NUTSHELL_CALL(velocity_between);  // in the sheet this is the learner's
 
     template <class Answer>
     static void ask(Paper& paper, const Answer& answer) {

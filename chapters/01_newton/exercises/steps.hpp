@@ -1,0 +1,65 @@
+// The questions that Euler, semi-implicit Euler and Verlet are asked alike.
+#pragma once
+#include <nutshell/newton_scenes.hpp>
+#include "exercise.hpp"
+
+namespace nutshell::exercises {
+
+/// Another state with a drift and a kick: a step must move it as well as a PointMass.
+struct Sledge {
+    double mass;
+    Vector3 position, momentum;
+};
+inline void drift(Sledge& sledge, double dt) {
+    sledge.position += sledge.momentum / sledge.mass * dt;
+}
+inline void kick(Sledge& sledge, const Vector3& force, double dt) {
+    sledge.momentum += force * dt;
+}
+
+inline Vector3 velocity_of(const PointMass& body) {
+    return body.velocity;
+}
+inline Vector3 velocity_of(const Sledge& sledge) {
+    return sledge.momentum / sledge.mass;
+}
+
+/// A force that lets no slip hide: it depends on the place and the time, and if it has drag, on the velocity.
+struct Tether {
+    double drag;
+    template <class State>
+    Vector3 operator()(const State& state, double t) const {
+        return -1.7 * state.position + (1 + t) * Vector3{0.9, -1.4, 0.7} - drag * velocity_of(state);
+    }
+};
+
+/// One step of each state; then the planet's orbit for one unit of time, against Kepler's equation.
+template <class Answer>
+void ask_step(Paper& paper, const Answer& answer, double drag) {
+    const double dt = paper.step(0.2), t = 0.6;
+    const Tether tether{drag};
+    const PointMass body{2.5, {1.1, -0.8, 0.6}, {0.7, 1.3, -0.9}};
+    const Vector3 gain = tether(body, t) / body.mass * dt;
+    paper.input("a point mass of", body.mass, "kg at", body.position, "with the velocity", body.velocity, "t", t, "dt", dt);
+    const PointMass moved = answer(body, tether, t, dt);
+    paper.output("the position [m]", moved.position, body.position, body.velocity * dt, gain * dt);
+    paper.output("the velocity [m/s]", moved.velocity, body.velocity, gain);
+    paper.output("the mass [kg]", moved.mass, body.mass);
+
+    const Planet planet;
+    const int steps = static_cast<int>(std::lround(1 / paper.step(1.0 / 64)));
+    paper.input("the planet of the book, for 1 unit of time in", steps, "steps");
+    PointMass orbiting = planet.start;
+    for (int i = 0; i < steps; ++i) orbiting = answer(orbiting, planet, i / static_cast<double>(steps), 1.0 / steps);
+    paper.run("the planet's position at the end [a]", orbiting.position, planet.exact(1).position, planet.start.position);
+
+#ifndef NUTSHELL_ONE_STATE      // defined when a learner's step works for a PointMass only: the rest is asked first
+    const Sledge sledge{2.5, body.position, body.mass * body.velocity};
+    paper.input("a state of another type, with its own drift and kick, dt", dt);
+    const Sledge slid = answer(sledge, tether, t, dt);
+    paper.output("its position [m]", slid.position, body.position, body.velocity * dt, gain * dt);
+    paper.output("its momentum [kg m/s]", slid.momentum, sledge.momentum, gain * body.mass);
+#endif
+}
+
+}  // namespace nutshell::exercises
