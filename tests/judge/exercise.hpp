@@ -56,6 +56,7 @@ struct Output {
     int level;                   ///< 0, 1, 2: made with steps of h, h/2, h/4
     std::vector<double> values;
     double scale;                ///< the largest term that enters it: it must be right to 1e-9 of this
+    std::vector<double> start;   ///< the first term, if it is of the value's size: what the value starts from
     std::vector<double> exact;   ///< what it tends to when the step goes to zero; empty if that was not said
 };
 /// All that an answer gave for the questions of an exercise.
@@ -77,7 +78,8 @@ class Paper {
 #endif
     }
 
-    /// One value to compare. It must agree to 1e-9 of the largest number among `terms`: name each term that enters it.
+    /// One value to compare. It must agree to 1e-9 of the largest number among `terms`: name each term that enters it,
+    /// first the one the value starts from (the judge then tells a wrong change from a wrong start).
     template <class Value, class Term, class... Terms>
     void output([[maybe_unused]] const char* name, const Value& value, [[maybe_unused]] const Term& term,
                 [[maybe_unused]] const Terms&... terms) {
@@ -172,14 +174,14 @@ struct Alternative {
 
 /// What the judge knows of an exercise besides its questions.
 struct Exercise {
-    std::string id, function;          ///< filled in by enter() and from Questions
-    std::string title;                 ///< a few words
-    std::array<std::string, 3> hints;  ///< from a nudge to nearly there; none holds a line of the solution
+    std::string id = {}, function = {};          ///< filled in by enter() and from Questions
+    std::string title = {};                 ///< a few words
+    std::array<std::string, 3> hints = {};  ///< from a nudge to nearly there; none holds a line of the solution
     int order = 0;                     ///< the order of convergence of the right answer's runs; 0 if it has none
-    std::string picture;               ///< a file of out/NN_name/ that shows what matters here, or empty
-    std::vector<Mistake> mistakes;
-    std::vector<Alternative> alternatives;
-    Attempt reference;                 ///< filled in by enter()
+    std::string picture = {};               ///< a file of out/NN_name/ that shows what matters here, or empty
+    std::vector<Mistake> mistakes = {};
+    std::vector<Alternative> alternatives = {};
+    Attempt reference = {};                 ///< filled in by enter()
 };
 
 bool enter(Exercise exercise);  // in exercises.cpp

@@ -98,7 +98,7 @@ inline Exercise SemiImplicitEuler::about() {
               "You drift first and take the force of the new place. That also keeps energy in a band, but it is the mirror image of the method asked "
               "for: kick with the force of the start, then drift.",
               attempt<SemiImplicitEuler>(NUTSHELL_CALL(mistakes::semi_implicit_drifts_first))},
-             {"drifts with the mean velocity", "classic: v t + a t^2/2", "A thrown ball is exact, but the planet still spirals out.",
+             {"drifts with the mean velocity", "classic: v t + a t^2/2", "A thrown ball is exact, but the planet spirals out, half as fast as with Euler.",
               "You drift with the mean of old and new velocity. That is exact for a constant force only; here the drift uses the new velocity.",
               attempt<SemiImplicitEuler>(NUTSHELL_CALL(mistakes::semi_implicit_mean_velocity))},
              {"half a kick", "classic: Verlet left unfinished", "Everything falls at half its weight.",

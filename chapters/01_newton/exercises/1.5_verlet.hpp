@@ -115,7 +115,7 @@ inline Exercise Verlet::about() {
                   "Kick for dt/2 with the force at t; drift for dt; kick for dt/2 with the force asked for anew, at t + dt."},
         .order = 2,
         .mistakes =
-            {{"a stale force", "classic: the force kept from the start", "A thrown ball is exact, but the planet spirals out as with Euler.",
+            {{"a stale force", "classic: the force kept from the start", "A thrown ball is exact, but the planet spirals out, half as fast as with Euler.",
               "Both half kicks use the force of the start. After the drift the body is at a new place: ask for the force there before the second half.",
               attempt<Verlet>(NUTSHELL_CALL(mistakes::verlet_stale_force))},
              {"whole kicks instead of halves", "classic", "Everything weighs twice as much.",

@@ -1,0 +1,88 @@
+// The judge: the verbs of ./course that are about a learner's answers.
+#include <cstdlib>
+#include <exception>
+#include <iostream>
+#include <map>
+#include "check.hpp"
+#include "judge_config.hpp"
+
+using namespace nutshell::judge;
+
+namespace {
+
+constexpr const char* usage =
+    "usage: judge VERB [N[.M]] [--answers DIR]\n"
+    "  start | check [N[.M]] [--junit FILE] | hint N.M | solution N.M [--give-up] | reset N.M | watch [N[.M]] | run N --mine\n";
+
+struct Arguments {
+    std::string verb, which;
+    std::map<std::string, std::string> options;
+};
+
+Arguments parse(int argc, char** argv) {
+    Arguments arguments;
+    for (int i = 1; i < argc; ++i) {
+        const std::string word = argv[i];
+        if (word == "--give-up" || word == "--mine") {
+            arguments.options[word] = "yes";
+        } else if (word == "--junit" || word == "--answers" || word == "--work" || word == "--out") {
+            if (i + 1 >= argc) throw std::invalid_argument(word + " needs a name after it");
+            arguments.options[word] = argv[++i];
+        } else if (word.rfind("--", 0) == 0) {
+            throw std::invalid_argument("unknown option " + word);
+        } else if (arguments.verb.empty()) {
+            arguments.verb = word;
+        } else if (arguments.which.empty()) {
+            arguments.which = word;
+        } else {
+            throw std::invalid_argument("one exercise or chapter at a time, not '" + arguments.which + "' and '" + word + "'");
+        }
+    }
+    return arguments;
+}
+
+int act(const Arguments& arguments) {
+    namespace fs = std::filesystem;
+    const auto option = [&](const std::string& name, const std::string& otherwise) {
+        const auto found = arguments.options.find(name);
+        return found == arguments.options.end() ? otherwise : found->second;
+    };
+    Rooms rooms;
+    rooms.course = CONFIG_COURSE;
+    rooms.answers = fs::absolute(option("--answers", (rooms.course / "answers").string())).lexically_normal();
+    if (rooms.answers.filename().empty()) rooms.answers = rooms.answers.parent_path();
+    rooms.work = fs::absolute(option("--work", (rooms.course / "build/answers").string()));
+    rooms.shared = CONFIG_SHARED;
+    const std::string& verb = arguments.verb;
+    const auto exercise = [&] {
+        const auto number = number_of(arguments.which);
+        if (!number) throw std::invalid_argument(verb + " needs the number of an exercise, such as ./course " + verb + " 1.3");
+        return *number;
+    };
+    const auto begun = [&] {
+        if (!fs::exists(rooms.answers)) throw std::runtime_error("there is no answers/ yet: begin with ./course start");
+    };
+    if (verb == "check") return verb_check(rooms, arguments.which, option("--junit", ""));
+    if (verb == "watch") verb_watch(rooms, arguments.which);
+    if (verb == "run" && !option("--mine", "").empty()) return begun(), verb_mine(rooms, arguments.which);
+    if (verb == "start") std::cout << start(rooms);
+    else if (verb == "hint") begun(), std::cout << hint(rooms, exercise());
+    else if (verb == "solution") std::cout << solution(rooms, exercise(), !option("--give-up", "").empty());
+    else if (verb == "reset") begun(), std::cout << reset(rooms, exercise());
+    else throw std::invalid_argument(std::string("unknown verb '") + verb + "'\n" + usage);
+    return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    try {
+        return act(parse(argc, argv));
+    } catch (const std::invalid_argument& problem) {
+        std::cerr << "course: " << problem.what() << '\n';
+        return 2;
+    } catch (const std::exception& problem) {
+        std::cerr << "course: " << problem.what() << '\n';
+        return 1;
+    }
+}
