@@ -1,0 +1,149 @@
+// Chapter 3 · Drag and springs without error: where a force is linear, its exact effect over a whole step is known.
+//
+// The forces given to these methods have a member `drag` (gamma [kg/s]) for the linear drag they contain.
+#pragma once
+#include <nutshell/newton.hpp>
+
+namespace nutshell {
+
+/// The force without its linear drag: what the body would feel here at rest.
+template <class State, class Forces>
+auto force_at_rest(State state, const Forces& forces, double t) {
+    state.velocity.setZero();
+    return forces(state, t);
+}
+
+/// (1 - e^-x)/x, which is the mean of a decay over its interval; 1 at x = 0.
+inline double mean_decay(double x) {
+    return x == 0 ? 1 : -std::expm1(-x) / x;
+}
+
+/// (1 - mean_decay(x))/x; 1/2 at x = 0. By its series where the difference would lose digits.
+inline double second_mean_decay(double x) {
+    if (std::abs(x) > 0.5) return (1 - mean_decay(x)) / x;
+    double term = 0.5, sum = 0.5;
+    for (int n = 3; std::abs(term) > 1e-17; ++n) sum += term *= -x / n;
+    return sum;
+}
+
+// [exponential_kick]
+/// One step under a constant force and linear drag, exact at any step: the velocity falls towards the terminal velocity
+/// F/gamma as e^(-gamma t/m), and the drift adds up that velocity. First order where the force changes. Eqs. (3.d)-(3.e),
+/// written so that no drag (gamma = 0) is no special case.
+template <class State, class Forces>
+State exponential_kick(State state, const Forces& forces, double t, double dt) {
+    // exercise 3.5
+    const double x = forces.drag * dt / state.mass;
+    const Vector3 acceleration = force_at_rest(state, forces, t) / state.mass;
+    state.position += state.velocity * dt * mean_decay(x) + acceleration * dt * dt * second_mean_decay(x);
+    state.velocity = state.velocity * std::exp(-x) + acceleration * dt * mean_decay(x);
+    return state;
+    // end 3.5
+}
+// [/exponential_kick]
+
+// [exponential_verlet]
+/// One step of Verlet with linear drag: half the drag, a Verlet step of the other forces, half the drag, the drag by its
+/// exact decay. Second order, symmetric, stable on a damped spring while omega dt < 2 (half-drag outermost).
+template <class State, class Forces>
+State exponential_verlet(State state, const Forces& forces, double t, double dt) {
+    // exercise 3.6
+    const double half_decay = std::exp(-forces.drag * dt / 2 / state.mass);
+    state.velocity *= half_decay;
+    kick(state, force_at_rest(state, forces, t), dt / 2);
+    drift(state, dt);
+    kick(state, force_at_rest(state, forces, t + dt), dt / 2);
+    state.velocity *= half_decay;
+    return state;
+    // end 3.6
+}
+// [/exponential_verlet]
+
+// [exponential_verlet_inside]
+/// The same with the half-drags next to the drift: stable while (omega dt)^2 < 2 (1 + E)/sqrt(E), E = e^(-gamma dt/m).
+/// Keeps the force of its end for the next step ("first same as last"): one evaluation a step. One object per run.
+template <class Push = Vector3>
+struct ExponentialVerlet {
+    std::optional<Push> kept = {};
+
+    template <class State, class Forces>
+    State operator()(State state, const Forces& forces, double t, double dt) {
+        const double half_decay = std::exp(-forces.drag * dt / 2 / state.mass);
+        kick(state, kept ? *kept : force_at_rest(state, forces, t), dt / 2);
+        state.velocity *= half_decay;
+        drift(state, dt);
+        state.velocity *= half_decay;
+        kept = force_at_rest(state, forces, t + dt);
+        kick(state, *kept, dt / 2);
+        return state;
+    }
+};
+// [/exponential_verlet_inside]
+
+// [semi_implicit_drag]
+/// Semi-implicit Euler with the drag by its exact decay, before the kick. First order; on a damped spring stable while
+/// omega dt < sqrt(2 (1 + e^(-gamma dt/m))).
+template <class State, class Forces>
+State semi_implicit_exponential(State state, const Forces& forces, double t, double dt) {
+    state.velocity *= std::exp(-forces.drag * dt / state.mass);
+    kick(state, force_at_rest(state, forces, t), dt);
+    drift(state, dt);
+    return state;
+}
+
+/// Semi-implicit Euler with implicit drag, that of the velocity at the end: a division. First order; on a damped spring
+/// stable while dt < (g + sqrt(g^2 + 4 omega^2))/omega^2, g = gamma/m.
+template <class State, class Forces>
+State semi_implicit_division(State state, const Forces& forces, double t, double dt) {
+    kick(state, force_at_rest(state, forces, t), dt);
+    state.velocity /= 1 + forces.drag * dt / state.mass;
+    drift(state, dt);
+    return state;
+}
+// [/semi_implicit_drag]
+
+// [oscillation]
+/// What a damped oscillator x'' = -omega^2 x - g x' does in a time t, as a matrix on (x, x'). Exact in all three regimes
+/// (under-, critically and over-damped), to a few units of round-off; omega [rad/s] and g = gamma/m [1/s] not negative.
+/// Eq. (3.g).
+inline Eigen::Matrix2d oscillation(double omega, double g, double t) {
+    const double d = g / 2, D = omega * omega - d * d;
+    double c, s;   // e^(-d t) cos(rt), e^(-d t) sin(rt)/r, r = sqrt(D); with cosh and sinh where D is negative
+    if (const double r = std::sqrt(std::abs(D)); r * t < 1e-4) {   // near critical: two terms of the series suffice
+        c = std::exp(-d * t) * (1 - D * t * t / 2);
+        s = std::exp(-d * t) * t * (1 - D * t * t / 6);
+    } else if (D > 0) {
+        c = std::exp(-d * t) * std::cos(r * t);
+        s = std::exp(-d * t) * std::sin(r * t) / r;
+    } else {
+        const double slow = std::exp(-omega * omega / (d + r) * t), fast = std::exp(-(d + r) * t);
+        c = (slow + fast) / 2;
+        s = -slow * std::expm1(-2 * r * t) / (2 * r);
+    }
+    Eigen::Matrix2d step;
+    step << c + d * s, s, -omega * omega * s, c - d * s;
+    return step;
+}
+// [/oscillation]
+
+// [spring_propagator]
+/// The exact step of a body on a spring of rest length zero, with or without linear drag: four numbers, computed once for
+/// each length of step. Nothing is left to integrate; it asks for no force at all.
+struct SpringPropagator {
+    double omega;       ///< sqrt(kappa/m) [rad/s]
+    double g = 0;       ///< gamma/m [1/s]
+    double known = 0;   ///< the step the matrix belongs to [s]
+    Eigen::Matrix2d step = Eigen::Matrix2d::Identity();
+
+    template <class State, class Forces>
+    State operator()(State state, const Forces&, double, double dt) {
+        if (dt != known) step = oscillation(omega, g, dt), known = dt;
+        const Vector3 position = step(0, 0) * state.position + step(0, 1) * state.velocity;
+        state.velocity = step(1, 0) * state.position + step(1, 1) * state.velocity;
+        state.position = position;
+        return state;
+    }
+};
+// [/spring_propagator]
+
+}  // namespace nutshell
