@@ -9,7 +9,7 @@ trap 'rm -rf "$work"' EXIT
 toy="$work/a toy"
 mkdir "$toy" "$work/bin" "$work/home"
 cp -R "$project/tests/course/toy/." "$project/course" "$project/CMakePresets.json" "$toy"
-unset CI COURSE_PRESET COURSE_INSIDE CXX CMAKE_PREFIX_PATH
+unset DEBIAN_FRONTEND CI COURSE_PRESET COURSE_INSIDE CXX CMAKE_PREFIX_PATH
 export HOME="$work/home"
 
 # --- what a case says ----------------------------------------------------------------------------------------------
@@ -57,7 +57,7 @@ debian_without_ninja() {    # where apt-get install brings it
     fake dpkg
     fake apt-cache 'echo "  Candidate: 1"'
     fake apt-get 'case "$*" in *assume-no*) echo "Need to get 7 MB of archives." ;;
-        *install*ninja-build*) echo "frontend $DEBIAN_FRONTEND" >>'"'$work/calls'; ln -s '$ninja' '$work/bin/ninja' ;; esac"
+        *install*ninja-build*) echo "frontend ${DEBIAN_FRONTEND:-}" >>'"'$work/calls'; ln -s '$ninja' '$work/bin/ninja' ;; esac"
 }
 
 # --- words -----------------------------------------------------------------------------------------------------------
