@@ -4,6 +4,7 @@ set -eu
 bin=$1 out=$2
 shift 2
 for name; do
+    [ -x "$bin/$name" ] || { echo "$bin/$name is not built: build everything before testing the book" >&2; exit 1; }
     if [ ! -f "$out/$name/numbers.csv" ] || [ "$bin/$name" -nt "$out/$name/numbers.csv" ]; then
         "$bin/$name" --out "$out/$name"
     else
