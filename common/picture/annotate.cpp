@@ -8,6 +8,33 @@ namespace nutshell::picture {
 
 using Eigen::Vector3d;
 
+namespace {
+
+/// What labels had better not cover: balls and trails.
+std::vector<Taken> covered(const Drawing& drawing, const Camera& camera, Size size) {
+    std::vector<Taken> all;
+    const double scale =
+        size.height / 2.0 / std::tan(camera.field_of_view / 2);  // pixels of a metre one metre away
+    for (const Ball& ball : drawing.balls()) {
+        const Vector3d p = project(camera, size, ball.centre);
+        const double r = 0.9 * ball.radius * scale / p.z();
+        if (p.z() > 0) all.push_back({p.x() - r, p.y() - r, p.x() + r, p.y() + r});
+    }
+    const double step = 6;  // between two points of a trail that count [pixels]
+    for (const Trail& trail : drawing.trails()) {
+        Vector3d last = Vector3d::Constant(-1e9);
+        for (const Vector3d& point : trail.points) {
+            const Vector3d p = project(camera, size, point);
+            if (p.z() <= 0 || (p - last).head<2>().norm() < step) continue;
+            all.push_back({p.x() - step / 2, p.y() - step / 2, p.x() + step / 2, p.y() + step / 2});
+            last = p;
+        }
+    }
+    return all;
+}
+
+}  // namespace
+
 void write_words(Image& image, const Drawing& drawing, const Camera& camera, Size size) {
     const double scale = std::max(0.6, size.width / 960.0);  // half pictures keep their letters readable
     const double title_height = 27 * scale, caption_height = 19 * scale, label_height = 22 * scale,
@@ -18,7 +45,7 @@ void write_words(Image& image, const Drawing& drawing, const Camera& camera, Siz
                      const Colour& ink) {
         draw_text(image, x, baseline, text, height, weight, ink);
         taken.push_back(
-            {x - 4, baseline - height, x + text_width(text, height, weight) + 4, baseline + 0.3 * height});
+            {x - 4, baseline - height, x + text_width(text, height, weight) + 4, baseline + 0.3 * height, 5});
     };
     if (!drawing.title().empty()) {
         write(edge, edge + 0.8 * title_height, drawing.title(), title_height, Weight::bold, palette::ink);
@@ -32,6 +59,7 @@ void write_words(Image& image, const Drawing& drawing, const Camera& camera, Siz
         const double width = text_width(words, caption_height, Weight::regular);
         write(size.width - edge - width, size.height - edge, words, caption_height, Weight::regular, quiet);
     }
+    for (const Taken& thing : covered(drawing, camera, size)) taken.push_back(thing);
     std::vector<AnchoredWords> anchored;
     auto anchor = [&](const Vector3d& at, double dx, double dy, const std::string& text, const Colour& ink) {
         const Vector3d p = project(camera, size, at);

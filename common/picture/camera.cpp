@@ -47,6 +47,31 @@ Vector3d project(const Camera& camera, Size size, const Vector3d& point) {
     return {size.width / 2.0 + scale * p.x(), half_height - scale * p.y(), -p.z()};
 }
 
+namespace {
+
+/// The drawing's extents, and where their shadows fall if that is no farther below than the drawing is large.
+std::vector<Extent> seen_extents(const Drawing& drawing) {
+    std::vector<Extent> all = drawing.extents();
+    const Vector3d up = drawing.ground().normal, sun = drawing.sun();
+    if (!drawing.ground().visible || up.dot(sun) < 0.2 || all.empty()) return all;
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (const Extent& extent : all) {
+        low = std::min(low, up.dot(extent.centre) - extent.radius);
+        high = std::max(high, up.dot(extent.centre) + extent.radius);
+    }
+    const double ground = drawing.ground().height;
+    const std::size_t things = all.size();
+    if (low - ground > high - low) return all;
+    for (std::size_t i = 0; i < things; ++i) {
+        const double height = up.dot(all[i].centre) - ground;
+        if (!all[i].shadow || height < 0) continue;
+        all.push_back({all[i].centre - sun * height / up.dot(sun), all[i].radius});
+    }
+    return all;
+}
+
+}  // namespace
+
 /// With the camera's axes fixed, a point (x, y, z) lies left of the right edge while x + z t <= ex + ez t,
 /// where (ex, ey, ez) is the eye and t the edge's tangent; so each edge is one bound, met by the farthest
 /// point.
@@ -54,7 +79,7 @@ Camera fit(const Drawing& drawing, const Vector3d& from, Size size, const Fit& h
     if (!from.allFinite() || from.norm() == 0) {
         throw std::invalid_argument("picture: fit needs a finite direction that is not zero");
     }
-    const std::vector<Extent> extents = drawing.extents();
+    const std::vector<Extent> extents = seen_extents(drawing);
     if (extents.empty()) throw std::invalid_argument("picture: fit needs a drawing with something in it");
     const Vector3d middle = extents.front().centre;
     Camera camera{middle + from, middle, how.field_of_view, how.up};

@@ -1,5 +1,6 @@
 #include "nutshell/picture/drawing.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
@@ -161,26 +162,33 @@ Vector3d Drawing::sun() const {
     return Eigen::Quaterniond::FromTwoVectors(Vector3d::UnitY(), ground_.normal) * high_left_in_front;
 }
 
+std::array<Vector3d, 8> corners_of(const Box& box) {
+    std::array<Vector3d, 8> corners;
+    for (std::size_t i = 0; i < 8; ++i) {
+        const Vector3d sign(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1);
+        corners[i] = box.pose * sign.cwiseProduct(box.half_extents);
+    }
+    return corners;
+}
+
 std::vector<Extent> Drawing::extents() const {
     std::vector<Extent> all;
-    auto add_points = [&all](const std::vector<Vector3d>& points, double radius) {
-        for (const Vector3d& point : points) all.push_back({point, radius});
+    auto add_points = [&all](const std::vector<Vector3d>& points, double radius, bool shadow) {
+        for (const Vector3d& point : points) all.push_back({point, radius, shadow});
     };
-    for (const Ball& ball : balls_) all.push_back({ball.centre, ball.radius});
+    auto solid = [](const auto& thing) { return thing.look == Look::solid; };
+    for (const Ball& ball : balls_) add_points({ball.centre}, ball.radius, solid(ball) && !ball.shines);
     for (const Box& box : boxes_) {
-        for (int corner = 0; corner < 8; ++corner) {
-            const Vector3d sign(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1);
-            all.push_back({box.pose * sign.cwiseProduct(box.half_extents), 0.0});
-        }
+        for (const Vector3d& corner : corners_of(box)) add_points({corner}, 0, solid(box));
     }
-    for (const Rod& rod : rods_) add_points({rod.from, rod.to}, rod.radius);
-    for (const Tube& tube : tubes_) add_points(tube.points, tube.radius);
+    for (const Rod& rod : rods_) add_points({rod.from, rod.to}, rod.radius, solid(rod));
+    for (const Tube& tube : tubes_) add_points(tube.points, tube.radius, solid(tube));
     for (const Mesh& mesh : meshes_) {
-        for (const Vector3d& point : mesh.points) all.push_back({mesh.pose * point, 0.0});
+        for (const Vector3d& point : mesh.points) add_points({mesh.pose * point}, 0, solid(mesh));
     }
-    for (const Trail& trail : trails_) add_points(trail.points, 0.0);
-    for (const Arrow& arrow : arrows_) add_points({arrow.from, arrow.from + arrow.vector}, 0.0);
-    for (const Label& label : labels_) all.push_back({label.at, 0.0});
+    for (const Trail& trail : trails_) add_points(trail.points, 0, trail.shadow);
+    for (const Arrow& arrow : arrows_) add_points({arrow.from, arrow.from + arrow.vector}, 0, false);
+    for (const Label& label : labels_) add_points({label.at}, 0, false);
     return all;
 }
 
@@ -216,6 +224,13 @@ void add(Drawing& drawing, const Stroboscope& s) {
     for (const Vector3d& centre : s.exact) {
         drawing.add(
             Ball{.centre = centre, .radius = s.radius, .colour = palette::exact, .look = Look::ghost});
+    }
+    for (std::size_t i = 0; s.error_lines && i < std::min(s.exact.size(), s.computed.size()); ++i) {
+        drawing.add(Trail{.points = {s.exact[i], s.computed[i]},
+                          .colour = s.colour,
+                          .width = 1.6,
+                          .opacity = 0.7,
+                          .shadow = false});
     }
     if (s.computed.size() > 1) drawing.add(Trail{.points = s.computed, .colour = s.colour});
     for (const Vector3d& centre : s.computed) {

@@ -1,6 +1,7 @@
 #include "geometry.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -8,23 +9,42 @@ namespace nutshell::picture {
 
 namespace {
 
-using Eigen::Vector3d, Eigen::Vector3f;
+using Eigen::Vector3d;
 constexpr double pi = std::numbers::pi;
 
 struct Corner {
     Vector3d position, normal;
 };
 
-void push(Vertices& out, const Corner& c) {
-    out.push_back({c.position.cast<float>(), c.normal.cast<float>()});
+void push(Triangles& out, const Corner& a, const Corner& b, const Corner& c) {
+    for (const Corner* corner : {&a, &b, &c}) {
+        out.indices.push_back(std::uint32_t(out.vertices.size()));
+        out.vertices.push_back({corner->position.cast<float>(), corner->normal.cast<float>()});
+    }
 }
 
-/// Corners a, b, c, d anticlockwise as seen from outside.
-void push_quad(Vertices& out, const Corner& a, const Corner& b, const Corner& c, const Corner& d) {
-    for (const Corner* corner : {&a, &b, &c, &a, &c, &d}) push(out, *corner);
+/// A surface of rows x columns quads; corner(row, column) gives its (rows + 1) x (columns + 1) corners. Seen
+/// from outside, a row below another is the next one and columns run to the right.
+template <class CornerAt>
+void push_grid(Triangles& out, int rows, int columns, const CornerAt& corner) {
+    const auto first = std::uint32_t(out.vertices.size());
+    for (int i = 0; i <= rows; ++i) {
+        for (int j = 0; j <= columns; ++j) {
+            const Corner c = corner(i, j);
+            out.vertices.push_back({c.position.cast<float>(), c.normal.cast<float>()});
+        }
+    }
+    auto index = [&](int i, int j) { return first + std::uint32_t(i * (columns + 1) + j); };
+    for (int i = 0; i < rows; ++i) {
+        for (int j = 0; j < columns; ++j) {
+            const std::uint32_t a = index(i, j), b = index(i + 1, j), c = index(i + 1, j + 1),
+                                d = index(i, j + 1);
+            for (std::uint32_t k : {a, b, c, a, c, d}) out.indices.push_back(k);
+        }
+    }
 }
 
-/// Direction number i of n round y.
+/// Direction number i of n round y, anticlockwise as seen from above.
 Vector3d round_y(int i, int n) {
     const double angle = 2 * pi * i / n;
     return {std::cos(angle), 0, -std::sin(angle)};
@@ -32,142 +52,128 @@ Vector3d round_y(int i, int n) {
 
 }  // namespace
 
-Vertices unit_ball(int rings) {
-    const int sides = 2 * rings;
-    auto corner = [&](int ring, int side) {
+Triangles unit_ball(int rings) {
+    Triangles out;
+    push_grid(out, rings, 2 * rings, [&](int ring, int side) {
         const double polar = pi * ring / rings;
-        const Vector3d p = std::sin(polar) * round_y(side, sides) + std::cos(polar) * Vector3d::UnitY();
+        const Vector3d p = std::sin(polar) * round_y(side, 2 * rings) + std::cos(polar) * Vector3d::UnitY();
         return Corner{p, p};
-    };
-    Vertices out;
-    out.reserve(std::size_t(rings * sides * 6));
-    for (int i = 0; i < rings; ++i) {
-        for (int j = 0; j < sides; ++j) {
-            push_quad(out, corner(i, j), corner(i + 1, j), corner(i + 1, j + 1), corner(i, j + 1));
-        }
-    }
+    });
     return out;
 }
 
-Vertices unit_rod(int sides) {
-    Vertices out;
-    const Vector3d y = Vector3d::UnitY();
+Triangles unit_rod(int sides) {
+    Triangles out;
+    const Vector3d y = Vector3d::UnitY(), origin = Vector3d::Zero();
+    push_grid(out, 1, sides, [&](int row, int side) {
+        const Vector3d p = round_y(side, sides);
+        return Corner{p + (1 - row) * y, p};
+    });
     for (int i = 0; i < sides; ++i) {
         const Vector3d a = round_y(i, sides), b = round_y(i + 1, sides);
-        push_quad(out, {a, a}, {b, b}, {b + y, b}, {a + y, a});
-        for (const Corner& c : {Corner{y, y}, Corner{a + y, y}, Corner{b + y, y}}) push(out, c);
-        for (const Corner& c : {Corner{0 * y, -y}, Corner{b, -y}, Corner{a, -y}}) push(out, c);
+        push(out, {y, y}, {a + y, y}, {b + y, y});
+        push(out, {origin, -y}, {b, -y}, {a, -y});
     }
     return out;
 }
 
-Vertices unit_cone(int sides) {
-    Vertices out;
-    const Vector3d y = Vector3d::UnitY(), lean = 0.35 * y;
+Triangles unit_cone(int sides) {
+    Triangles out;
+    const Vector3d y = Vector3d::UnitY(), origin = Vector3d::Zero();
     for (int i = 0; i < sides; ++i) {
         const Vector3d a = round_y(i, sides), b = round_y(i + 1, sides);
-        const Vector3d na = (a + lean).normalized(), nb = (b + lean).normalized();
-        for (const Corner& c : {Corner{a, na}, Corner{b, nb}, Corner{y, (na + nb).normalized()}})
-            push(out, c);
-        for (const Corner& c : {Corner{0 * y, -y}, Corner{b, -y}, Corner{a, -y}}) push(out, c);
+        const Vector3d na = (a + y).normalized(), nb = (b + y).normalized();
+        push(out, {a, na}, {b, nb}, {y, (na + nb).normalized()});
+        push(out, {origin, -y}, {b, -y}, {a, -y});
     }
     return out;
 }
 
-Vertices rounded_box(const Vector3d& half) {
-    const double bevel = 0.07 * half.minCoeff();
-    const Vector3d core = half - Vector3d::Constant(bevel);
-    auto corner = [&](const Vector3d& on_face) {
-        const Vector3d inside = on_face.cwiseMin(core).cwiseMax(-core);
-        const Vector3d normal = (on_face - inside).normalized();
-        return Corner{inside + bevel * normal, normal};
-    };
-    Vertices out;
+/// Every point is pulled back onto an inner box and pushed out again by the bevel, along its normal.
+Triangles rounded_box(const Vector3d& half, double bevel) {
+    const Vector3d inner = half - Vector3d::Constant(bevel);
+    Triangles out;
     for (int axis = 0; axis < 3; ++axis) {
         const int u = (axis + 1) % 3, v = (axis + 2) % 3;
-        auto cuts = [&](int i) {
-            return std::array<double, 6>{-half[i], -half[i] + 0.4 * bevel, -core[i],
-                                         core[i],  half[i] - 0.4 * bevel,  half[i]};
+        auto cut = [&](int i, int k) {
+            const double outer = half[i], middle = half[i] - 0.4 * bevel;
+            return std::array<double, 6>{-outer, -middle, -inner[i], inner[i], middle, outer}[std::size_t(k)];
         };
-        const auto us = cuts(u), vs = cuts(v);
         for (double side : {-1.0, 1.0}) {
-            auto at = [&](std::size_t i, std::size_t j) {
-                Vector3d p;
-                p[axis] = side * half[axis];
-                p[u] = side * us[i];  // mirrored on the far side, which keeps the corners anticlockwise
-                p[v] = vs[j];
-                return corner(p);
-            };
-            for (std::size_t i = 0; i < 5; ++i) {
-                for (std::size_t j = 0; j < 5; ++j) {
-                    push_quad(out, at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1));
-                }
-            }
+            push_grid(out, 5, 5, [&](int row, int column) {
+                Vector3d on_face;
+                on_face[axis] = side * half[axis];
+                on_face[u] = side * cut(u, row);  // mirrored on the far side, which keeps it anticlockwise
+                on_face[v] = cut(v, column);
+                const Vector3d inside = on_face.cwiseMin(inner).cwiseMax(-inner);
+                const Vector3d normal = (on_face - inside).normalized();
+                return Corner{inside + bevel * normal, normal};
+            });
         }
     }
     return out;
 }
 
-Vertices tube(const std::vector<Vector3d>& given, double radius, int sides) {
+Triangles tube(const std::vector<Vector3d>& given, double radius, int sides) {
     std::vector<Vector3d> points;
     for (const Vector3d& point : given) {
         if (points.empty() || (point - points.back()).norm() > 1e-6 * radius) points.push_back(point);
     }
-    Vertices out;
-    if (points.size() < 2) return out;
-    const std::size_t n = points.size();
-    auto direction = [&](std::size_t i) {
-        const Vector3d before =
-            i > 0 ? (points[i] - points[i - 1]).normalized().eval() : Vector3d::Zero().eval();
-        const Vector3d after =
-            i + 1 < n ? (points[i + 1] - points[i]).normalized().eval() : Vector3d::Zero().eval();
-        const Vector3d sum = before + after;
-        return sum.norm() > 1e-6 ? sum.normalized().eval() : after;
+    Triangles out;
+    const int n = int(points.size());
+    if (n < 2) return out;
+    auto at = [&](int i) -> const Vector3d& { return points[std::size_t(std::clamp(i, 0, n - 1))]; };
+    std::vector<std::array<Vector3d, 3>> frames;  // along, across, and the third
+    Vector3d across = (at(1) - at(0)).unitOrthogonal();
+    for (int i = 0; i < n; ++i) {
+        const Vector3d before = at(i) - at(i - 1), after = at(i + 1) - at(i);
+        const Vector3d sum = before.stableNormalized() + after.stableNormalized();
+        const Vector3d along = sum.norm() > 1e-6 ? sum.normalized() : before.normalized();
+        const Vector3d carried =
+            across - along * along.dot(across);  // carried along, so that it does not twist
+        across = carried.norm() > 1e-6 ? carried.normalized() : along.unitOrthogonal();
+        frames.push_back({along, across, along.cross(across)});
+    }
+    auto corner = [&](int i, int side) {
+        const auto& [along, first, second] = frames[std::size_t(i)];
+        const double angle = 2 * pi * side / sides;
+        const Vector3d normal = std::cos(angle) * first - std::sin(angle) * second;
+        return Corner{at(i) + radius * normal, normal};
     };
-    Vector3d across = direction(0).unitOrthogonal();  // carried along, so that the tube does not twist
-    std::vector<Corner> previous;
-    for (std::size_t i = 0; i < n; ++i) {
-        const Vector3d along = direction(i);
-        const Vector3d carried = across - along * along.dot(across);
-        across = carried.norm() > 1e-6 ? carried.normalized().eval() : along.unitOrthogonal().eval();
-        const Vector3d other = along.cross(across);
-        std::vector<Corner> ring;
-        for (int k = 0; k <= sides; ++k) {
-            const double angle = 2 * pi * k / sides;
-            const Vector3d normal = std::cos(angle) * across + std::sin(angle) * other;
-            ring.push_back({points[i] + radius * normal, normal});
-        }
-        for (std::size_t k = 0; k + 1 < ring.size(); ++k) {
-            if (i > 0) push_quad(out, previous[k], previous[k + 1], ring[k + 1], ring[k]);
-            if (i == 0 || i + 1 == n) {
-                const Vector3d outward = i == 0 ? (-along).eval() : along;
-                const Corner& a = ring[i == 0 ? k + 1 : k];
-                const Corner& b = ring[i == 0 ? k : k + 1];
-                for (const Vector3d& p : {points[i], a.position, b.position}) push(out, {p, outward});
-            }
-        }
-        previous = std::move(ring);
+    push_grid(out, n - 1, sides, corner);
+    for (int k = 0; k < sides; ++k) {
+        const Vector3d back = -frames.front()[0], front = frames.back()[0];
+        push(out, {at(0), back}, {corner(0, k).position, back}, {corner(0, k + 1).position, back});
+        push(out, {at(n - 1), front}, {corner(n - 1, k + 1).position, front},
+             {corner(n - 1, k).position, front});
     }
     return out;
 }
 
-Vertices triangles(const Mesh& mesh) {
+Triangles triangles_of(const Mesh& mesh) {
     auto cross = [&](const std::array<int, 3>& t) -> Vector3d {
         const Vector3d& a = mesh.points[std::size_t(t[0])];
         return (mesh.points[std::size_t(t[1])] - a).cross(mesh.points[std::size_t(t[2])] - a);
     };
+    Triangles out;
+    if (!mesh.smooth) {
+        for (const auto& t : mesh.triangles) {
+            const Vector3d normal = cross(t).stableNormalized();
+            auto corner = [&](int k) { return Corner{mesh.points[std::size_t(t[std::size_t(k)])], normal}; };
+            push(out, corner(0), corner(1), corner(2));
+        }
+        return out;
+    }
     std::vector<Vector3d> normals(mesh.points.size(), Vector3d::Zero());
     for (const auto& t : mesh.triangles) {
-        for (int index : t) normals[std::size_t(index)] += cross(t);
-    }
-    Vertices out;
-    for (const auto& t : mesh.triangles) {
-        const Vector3d flat = cross(t).normalized();
+        const Vector3d weighted_by_area = cross(t);
         for (int index : t) {
-            const Vector3d& sum = normals[std::size_t(index)];
-            const bool smooth = mesh.smooth && sum.norm() > 0;
-            push(out, {mesh.points[std::size_t(index)], smooth ? sum.normalized().eval() : flat});
+            normals[std::size_t(index)] += weighted_by_area;
+            out.indices.push_back(std::uint32_t(index));
         }
+    }
+    for (std::size_t i = 0; i < normals.size(); ++i) {
+        out.vertices.push_back({mesh.points[i].cast<float>(), normals[i].stableNormalized().cast<float>()});
     }
     return out;
 }

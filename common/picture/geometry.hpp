@@ -1,7 +1,8 @@
-// Triangles of the things a drawing holds, ready for OpenGL. Triangle lists: three vertices each, outward
+// Triangles of the things a drawing holds, ready for OpenGL; anticlockwise as seen from outside, outward
 // normals.
 #pragma once
 #include <Eigen/Dense>
+#include <cstdint>
 #include <vector>
 
 #include "nutshell/picture/drawing.hpp"
@@ -11,19 +12,24 @@ namespace nutshell::picture {
 struct Vertex {
     Eigen::Vector3f position, normal;
 };
-using Vertices = std::vector<Vertex>;
+
+/// Vertices, and three indices into them a triangle.
+struct Triangles {
+    std::vector<Vertex> vertices;
+    std::vector<std::uint32_t> indices;
+};
 
 /// Radius 1 about the origin; `rings` from pole to pole.
-Vertices unit_ball(int rings);
-/// Radius 1 about y from 0 to 1, without and with its end discs.
-Vertices unit_rod(int sides);
+Triangles unit_ball(int rings);
+/// Radius 1 about y, from y = 0 to 1, with its end discs.
+Triangles unit_rod(int sides);
 /// Base of radius 1 at y = 0, tip at y = 1.
-Vertices unit_cone(int sides);
-/// A box with edges rounded by a small share of its smallest half extent; lengths as given.
-Vertices rounded_box(const Eigen::Vector3d& half_extents);
+Triangles unit_cone(int sides);
+/// A box about the origin with edges rounded by `bevel`, less than the smallest half extent.
+Triangles rounded_box(const Eigen::Vector3d& half_extents, double bevel);
 /// A round tube through points.
-Vertices tube(const std::vector<Eigen::Vector3d>& points, double radius, int sides);
+Triangles tube(const std::vector<Eigen::Vector3d>& points, double radius, int sides);
 /// The mesh in its own frame.
-Vertices triangles(const Mesh& mesh);
+Triangles triangles_of(const Mesh& mesh);
 
 }  // namespace nutshell::picture

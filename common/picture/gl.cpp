@@ -42,7 +42,8 @@ Program::Program(const std::string& vertex, const std::string& fragment) : id_(g
     }
 }
 
-Buffer::Buffer(const void* data, std::size_t bytes, const std::vector<int>& floats) {
+Buffer::Buffer(const void* data, std::size_t bytes, const std::vector<int>& floats,
+               const std::vector<std::uint32_t>& indices) {
     glGenVertexArrays(1, &array_);
     glBindVertexArray(array_);
     glGenBuffers(1, &buffer_);
@@ -56,10 +57,16 @@ Buffer::Buffer(const void* data, std::size_t bytes, const std::vector<int>& floa
                               reinterpret_cast<const void*>(offset));
         offset += std::size_t(floats[i]) * sizeof(float);
     }
+    if (indices.empty()) return;
+    glGenBuffers(1, &indices_);
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_);
+    glBufferData(GL_ELEMENT_ARRAY_BUFFER, GLsizeiptr(indices.size() * sizeof indices[0]), indices.data(),
+                 GL_STATIC_DRAW);
 }
 
 Buffer::~Buffer() {
     glDeleteBuffers(1, &buffer_);
+    glDeleteBuffers(1, &indices_);
     glDeleteVertexArrays(1, &array_);
 }
 

@@ -1,6 +1,7 @@
 // The few OpenGL objects that pictures need, released when they go out of scope.
 #pragma once
 #include <Eigen/Dense>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -33,17 +34,19 @@ class Program {
     GLuint id_ = 0;
 };
 
-/// Vertices on their way through OpenGL: attributes of `floats` each, one after another.
+/// Vertices on their way through OpenGL, attributes of `floats` each one after another, and their indices if
+/// any.
 class Buffer {
   public:
-    Buffer(const void* data, std::size_t bytes, const std::vector<int>& floats);
+    Buffer(const void* data, std::size_t bytes, const std::vector<int>& floats,
+           const std::vector<std::uint32_t>& indices = {});
     ~Buffer();
     Buffer(const Buffer&) = delete;
     Buffer& operator=(const Buffer&) = delete;
     void use() const { glBindVertexArray(array_); }
 
   private:
-    GLuint array_ = 0, buffer_ = 0;
+    GLuint array_ = 0, buffer_ = 0, indices_ = 0;
 };
 
 /// Where to draw: colours and depths. @throws std::runtime_error if the driver refuses the size

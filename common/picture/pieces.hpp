@@ -26,42 +26,48 @@ Frame frame_of(const Drawing& drawing, const Camera& camera);
 /// The sRGB colour as an amount of light.
 Eigen::Vector3f linear(const Colour& colour);
 
-/// One thing: a run of vertices, where they stand, and how they look.
-struct Piece {
+/// Indices of triangles, one after another.
+struct Run {
     int first = 0, count = 0;
+};
+
+/// One thing: its triangles, where they stand, and how they look.
+struct Piece {
+    Run run, shadow_run;  ///< in the picture, and in the shadow map, where fewer do
     Eigen::Matrix4f model = Eigen::Matrix4f::Identity();
     Eigen::Matrix3f normal_matrix = Eigen::Matrix3f::Identity();
     Eigen::Vector3f colour;  ///< linear
     bool ghost = false, shines = false, shadow = true;
-    Extent extent{};  ///< about which point and how far it reaches, in the frame
+    bool closed = true;  ///< nobody can see its inside
+    Extent extent{};     ///< about which point and how far it reaches, in the frame
 };
 
 /// All of a drawing's pieces. @param pixel the angle that one sample of the picture spans [rad]
 class Pieces {
   public:
     Pieces(const Drawing& drawing, const Frame& frame, const View& view, double pixel);
-    const Vertices& vertices() const { return vertices_; }
+    const Triangles& triangles() const { return triangles_; }
     const std::vector<Piece>& all() const { return pieces_; }
     /// What casts shadows, for the shadow map to hold: bounding balls, in the frame.
     const std::vector<Extent>& casters() const { return casters_; }
 
   private:
-    struct Run {
-        int first, count;
-    };
     enum class Shape { ball, rod, cone };
-    Run append(const Vertices& vertices);
+    Run append(const Triangles& more);
     Run shared(Shape shape, int detail);
-    void place(Run run, const Eigen::Matrix3d& linear, const Eigen::Vector3d& at, const Piece& look);
+    void place(Run run, Run shadow_run, const Eigen::Matrix3d& linear, const Eigen::Vector3d& at,
+               const Piece& look);
     void add_bar(Shape shape, const Eigen::Vector3d& from, const Eigen::Vector3d& to, double radius,
                  const Piece& look);
+    void cast(const Piece& look, const std::vector<Eigen::Vector3d>& points, double radius);
+    double depth(const Eigen::Vector3d& at) const;
     int detail(const Eigen::Vector3d& at, double radius) const;
     void add_arrow(const Arrow& arrow);
 
     const Frame frame_;
     const View view_;
     const double pixel_;
-    Vertices vertices_;
+    Triangles triangles_;
     std::vector<Piece> pieces_;
     std::vector<Extent> casters_;
     std::map<std::pair<Shape, int>, Run> shared_;

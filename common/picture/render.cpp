@@ -28,6 +28,7 @@ struct Studio {
     gl::Program depth{shaders::solid_vertex, shaders::nothing_fragment};
     gl::Program sky{shaders::sky_vertex, shaders::sky_fragment};
     gl::Program trail{shaders::trail_vertex, shaders::trail_fragment};
+    gl::Program glow{shaders::trail_vertex, shaders::glow_fragment};
 
     /// The one studio, for whoever holds the lock.
     static Studio& get(const std::lock_guard<std::mutex>&) {
@@ -114,8 +115,9 @@ class Painter {
     Image paint() {
         const gl::Canvas canvas(int(samples_.x()), int(samples_.y()));
         const gl::ShadowMap shadows(quality_.shadow_map);
-        const Vertices& list = pieces_.vertices();
-        const gl::Buffer things(list.data(), list.size() * sizeof(Vertex), {3, 3});
+        const Triangles& list = pieces_.triangles();
+        const gl::Buffer things(list.vertices.data(), list.vertices.size() * sizeof(Vertex), {3, 3},
+                                list.indices);
         glDisable(GL_BLEND);
         glEnable(GL_DEPTH_TEST);
         glDepthFunc(GL_LEQUAL);
@@ -129,6 +131,7 @@ class Painter {
             paint_ground();
             paint_trails(true);
         }
+        paint_glow();
         things.use();
         paint_solids();
         paint_trails(false);
@@ -173,7 +176,7 @@ class Painter {
         for (const Piece& piece : pieces_.all()) {
             if (!piece.shadow) continue;
             studio_.depth.set("model", piece.model);
-            glDrawArrays(GL_TRIANGLES, piece.first, piece.count);
+            draw_triangles(piece, piece.shadow_run);
         }
     }
 
@@ -209,7 +212,7 @@ class Painter {
         const GridAxes grid = grid_axes(drawing_.ground());
         const double spacing = grid_spacing(drawing_.ground(), frame_.unit);
         const Vector3d focus = up_ * ground_height_;  // below the drawing's middle
-        Vertices square;
+        std::vector<Vertex> square;
         const double reach = ground_reach();
         for (const auto& [u, v] : {std::pair{-1, -1}, {1, -1}, {1, 1}, {-1, -1}, {1, 1}, {-1, 1}}) {
             const Vector3d corner = focus + reach * (u * grid.u + v * grid.v);
@@ -239,27 +242,64 @@ class Painter {
         studio_.solid.set("normal_matrix", piece.normal_matrix);
         studio_.solid.set("colour", piece.colour);
         studio_.solid.set("kind", piece.ghost ? 1 : piece.shines ? 2 : 0);
-        glDrawArrays(GL_TRIANGLES, piece.first, piece.count);
+        studio_.solid.set("closed", piece.closed ? 1 : 0);
+        draw_triangles(piece, piece.run);
+    }
+
+    static void draw_triangles(const Piece& piece, Run run) {
+        if (piece.closed) glEnable(GL_CULL_FACE);
+        glDrawElements(GL_TRIANGLES, run.count, GL_UNSIGNED_INT,
+                       reinterpret_cast<const void*>(std::size_t(run.first) * sizeof(std::uint32_t)));
+        glDisable(GL_CULL_FACE);
+    }
+
+    /// Behind everything else: what stands before it or near it covers it.
+    void paint_glow() const {
+        const double reach = 3.2;  // radii
+        glEnable(GL_BLEND);
+        glDisable(GL_DEPTH_TEST);
+        studio_.glow.use();
+        for (const Piece& piece : pieces_.all()) {
+            if (!piece.shines) continue;
+            std::vector<RibbonVertex> square;
+            for (const auto& [x, y] : {std::pair{-1.0F, -1.0F}, {1.0F, -1.0F}, {-1.0F, 1.0F}, {1.0F, 1.0F}}) {
+                const Vector3d offset =
+                    reach * piece.extent.radius * (double(x) * view_.right + double(y) * view_.up);
+                const Vector3f& c = piece.colour;
+                square.push_back({to_clip(piece.extent.centre + offset).cast<float>(),
+                                  {x, y},
+                                  {c.x(), c.y(), c.z(), 0.9F}});
+            }
+            const gl::Buffer buffer(square.data(), square.size() * sizeof(RibbonVertex), {4, 2, 4});
+            glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+        }
+        glEnable(GL_DEPTH_TEST);
+        glDisable(GL_BLEND);
     }
 
     void paint_solids() const {
         studio_.solid.use();
         set_light(studio_.solid);
         studio_.solid.set("eye", Vector3f(eye_.cast<float>()));
+        for (const Piece* solid : sorted_by_distance(false)) draw(*solid);  // what is hidden costs little
+    }
+
+    /// The solids or the ghosts, nearest first.
+    std::vector<const Piece*> sorted_by_distance(bool ghosts) const {
+        std::vector<const Piece*> found;
         for (const Piece& piece : pieces_.all()) {
-            if (!piece.ghost) draw(piece);
+            if (piece.ghost == ghosts) found.push_back(&piece);
         }
+        std::stable_sort(found.begin(), found.end(), [&](const Piece* a, const Piece* b) {
+            return (a->extent.centre - eye_).squaredNorm() < (b->extent.centre - eye_).squaredNorm();
+        });
+        return found;
     }
 
     /// From far to near, each first into the depths alone, so that only its nearest face is seen.
     void paint_ghosts() const {
-        std::vector<const Piece*> ghosts;
-        for (const Piece& piece : pieces_.all()) {
-            if (piece.ghost) ghosts.push_back(&piece);
-        }
-        std::stable_sort(ghosts.begin(), ghosts.end(), [&](const Piece* a, const Piece* b) {
-            return (a->extent.centre - eye_).norm() > (b->extent.centre - eye_).norm();
-        });
+        std::vector<const Piece*> ghosts = sorted_by_distance(true);
+        std::reverse(ghosts.begin(), ghosts.end());
         studio_.solid.use();
         set_light(studio_.solid);
         studio_.solid.set("eye", Vector3f(eye_.cast<float>()));

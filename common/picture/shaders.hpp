@@ -42,18 +42,18 @@ float sunlight(vec3 place, vec3 normal) {
 inline constexpr const char* solid_fragment = R"(
 in vec3 world, facing;
 uniform vec3 colour, eye;
-uniform int kind;
+uniform int kind, closed;
 out vec4 pixel;
 void main() {
     vec3 to_eye = normalize(eye - world), normal = normalize(facing);
-    if (dot(normal, to_eye) < 0.0) normal = -normal;
+    if (closed == 0 && dot(normal, to_eye) < 0.0) normal = -normal;
     float rim = 1.0 - max(dot(normal, to_eye), 0.0), opacity = 1.0;
     vec3 light;
     if (kind == 1) {
         light = colour;
-        opacity = mix(0.16, 0.62, rim * rim);
+        opacity = mix(0.20, 0.62, rim * rim);
     } else if (kind == 2) {
-        light = mix(colour, vec3(1.0), 0.45 * (1.0 - rim));
+        light = mix(colour, vec3(1.0, 0.97, 0.88), 0.8 * (1.0 - rim) * (1.0 - rim));
     } else {
         float height = 0.5 + 0.5 * dot(normal, up), slope = max(dot(normal, sun), 0.0);
         float lit = slope > 0.0 ? sunlight(world, normal) : 0.0;
@@ -128,6 +128,16 @@ void main() {
     float ink = clamp(half_width + 0.5 - abs(at.x), 0.0, 1.0);
     if (dash > 0.0) ink *= clamp(0.5 * dash + 0.5 - abs(mod(at.y, dash + gap) - 0.5 * dash), 0.0, 1.0);
     pixel = vec4(pow(tint.rgb, vec3(1.0 / 2.2)), tint.a * ink);
+})";
+
+/// The glow round what shines, on a square.
+inline constexpr const char* glow_fragment = R"(#version 330 core
+noperspective in vec2 at;
+in vec4 tint;
+out vec4 pixel;
+void main() {
+    float fade = max(1.0 - length(at), 0.0);
+    pixel = vec4(pow(tint.rgb, vec3(1.0 / 2.2)), tint.a * fade * fade);
 })";
 
 }  // namespace nutshell::picture::shaders

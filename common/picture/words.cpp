@@ -176,7 +176,7 @@ void draw_anchored(Image& image, const std::vector<AnchoredWords>& all, double h
         const double preferred = std::atan2(words.toward_y, words.toward_x);
         Taken best{};
         double least = -1;
-        for (int ring = 0; ring < 3; ++ring) {
+        for (int ring = 0; ring < 5; ++ring) {
             for (int turn = 0; turn < 8;
                  ++turn) {  // the preferred side first, then by turns left and right of it
                 const double angle = preferred + (turn % 2 ? 1 : -1) * ((turn + 1) / 2) * 0.785398;
@@ -188,7 +188,7 @@ void draw_anchored(Image& image, const std::vector<AnchoredWords>& all, double h
                     std::clamp(cy - rise / 2, edge, std::max(edge, image.height - rise - edge));
                 const Taken place{left, top, left + width, top + rise};
                 double cost = 0.15 * height * (turn + 4 * ring);
-                for (const Taken& other : taken) cost += overlap(place, other);
+                for (const Taken& other : taken) cost += other.weight * overlap(place, other);
                 const Taken anchor{words.x - 3, words.y - 3, words.x + 3, words.y + 3};
                 cost += 20 * overlap(place, anchor) + std::hypot(left + width / 2 - cx, top + rise / 2 - cy);
                 if (least < 0 || cost < least) {
@@ -199,7 +199,7 @@ void draw_anchored(Image& image, const std::vector<AnchoredWords>& all, double h
         }
         draw_text(image, best.left, best.bottom, words.text, height, Weight::bold, words.ink);
         const double air = 0.15 * height;
-        taken.push_back({best.left - air, best.top - air, best.right + air, best.bottom + air});
+        taken.push_back({best.left - air, best.top - air, best.right + air, best.bottom + air, 5});
     }
 }
 

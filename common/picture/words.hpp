@@ -27,9 +27,10 @@ struct AnchoredWords {
     Colour ink;
 };
 
-/// A rectangle of the picture that is taken.
+/// A rectangle of the picture that is taken, and how bad it is to cover it.
 struct Taken {
     double left, top, right, bottom;
+    double weight = 1;
 };
 
 /// Draws the words near their anchors, inside the picture and off each other where there is room.

@@ -113,7 +113,11 @@ struct Sky {
 struct Extent {
     Eigen::Vector3d centre;
     double radius;
+    bool shadow = false;  ///< casts one on the ground
 };
+
+/// The box's eight corners, world frame [m].
+std::array<Eigen::Vector3d, 8> corners_of(const Box& box);
 
 /// Everything on one picture. Add things in any order; later trails and labels lie above earlier ones.
 class Drawing {
@@ -178,15 +182,15 @@ std::vector<Eigen::Vector3d> coil(const Eigen::Vector3d& a, const Eigen::Vector3
 
 /// A body at many instants, as a stroboscope shows it, with the exact motion as a ghost behind.
 struct Stroboscope {
-    std::vector<Eigen::Vector3d> computed{};  ///< a ball is drawn at each [m]
-    std::vector<Eigen::Vector3d> exact{};     ///< a ghost at each; the same instants, or empty [m]
-    std::vector<Eigen::Vector3d>
-        exact_path{};     ///< finer points for the ghost's line; empty: those of exact [m]
-    double radius = 0.1;  ///< [m]
+    std::vector<Eigen::Vector3d> computed{};    ///< a ball is drawn at each [m]
+    std::vector<Eigen::Vector3d> exact{};       ///< a ghost at each; the same instants, or empty [m]
+    std::vector<Eigen::Vector3d> exact_path{};  ///< finer points for the dashed line; empty: exact [m]
+    double radius = 0.1;                        ///< [m]
     Colour colour = palette::body;
+    bool error_lines = true;  ///< a thin line from each ghost to the ball of the same instant
 };
 
-/// Adds the balls, the line through them, and the ghost with its dashed line.
+/// Adds the balls, the line through them, the ghost with its dashed line, and lines from one to the other.
 /// @throws std::invalid_argument as Drawing::add does
 void add(Drawing& drawing, const Stroboscope& stroboscope);
 
