@@ -74,9 +74,27 @@ function Regions.take(page, spec)
         return nil
     end
     for i, text in ipairs(lines) do lines[i] = text:sub(indent + 1) end
+    Regions.check_equations(page, at, spec, lines)
     Book.sources[path] = file.text
     local suffix = name and (name:find("^%d+%.%d+$") and ", exercise " .. name or ", " .. name) or ""
     return {text = table.concat(lines, "\n"), path = path, first = first, suffix = suffix}
+end
+
+--- Where quoted code says "eq. (1.a)", chapter 1 has such an equation.
+function Regions.check_equations(page, at, spec, lines)
+    for number, letters in table.concat(lines, "\n"):gmatch("[Ee]qs?%. %((%d+)%.(%l%l?)%)") do
+        local label = ("(%s.%s)"):format(number, letters)
+        local chapter, found
+        for _, other in ipairs(Book.pages) do
+            if other.chapter == tonumber(number) then
+                chapter = other
+                for _, l in pairs(other.labels) do found = found or l.text == label end
+            end
+        end
+        if chapter and not found then
+            Report.add(page, at, ("region \"%s\" names equation %s, and page %s has none of that number"):format(spec, label, chapter.name))
+        end
+    end
 end
 
 function Regions.language(path)

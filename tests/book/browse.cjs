@@ -26,7 +26,7 @@ const pages = [];
 
 // --- the browser, by its debugging pipe: JSON messages that end in NUL -----------------------------------------------
 const profile = fs.mkdtempSync(path.join(os.tmpdir(), 'browse_'));
-const chromium = spawn(browser, ['--headless=new', '--disable-gpu', '--no-first-run', '--disable-background-networking', '--hide-scrollbars',
+const chromium = spawn(browser, ['--headless=new', '--disable-gpu', '--no-first-run', '--disable-dev-shm-usage', '--disable-background-networking', '--hide-scrollbars',
     '--remote-debugging-pipe', `--user-data-dir=${profile}`, ...(process.getuid() === 0 ? ['--no-sandbox'] : []), 'about:blank'],
     {stdio: ['ignore', 'ignore', 'ignore', 'pipe', 'pipe']});
 const waiting = new Map(), heard = [];

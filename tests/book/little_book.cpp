@@ -57,6 +57,11 @@ inline int step(int x) {
 }
 // [/step]
 
+// [labelled]
+/// Eq. (1.b) solved for x.
+inline int labelled();
+// [/labelled]
+
 // [open]
 inline int never_closed();
 )";
