@@ -81,7 +81,7 @@ Margin margin_for(const Chart& chart, const std::vector<bool>& region_inside,
                   const std::vector<bool>& level_inside) {
     Margin margin;
     const auto add = [&](const std::string& name, bool shown, double widest) {
-        margin.lines.push_back(shown ? wrapped(name, text_size, widest) : std::vector<std::string>{});
+        margin.lines.push_back(shown ? balanced(name, text_size, widest) : std::vector<std::string>{});
         for (const std::string& line : margin.lines.back())
             margin.width = std::max(margin.width, label_gap + text_width(line, text_size) + 8);
         margin.height += line_height * static_cast<double>(margin.lines.back().size());

@@ -113,7 +113,8 @@ bool fits(const std::vector<Tick>& list, const Ruler& ruler, bool horizontal) {
         const double need = horizontal ? 14 + (width_of_markup(list[i].markup, tick_size) +
                                                width_of_markup(list[i - 1].markup, tick_size)) /
                                                   2
-                                       : 28;
+                            : ruler.scale == Scale::logarithmic ? 28
+                                                                : 36;
         if (gap < need) return false;
     }
     return true;

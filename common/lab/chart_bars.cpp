@@ -21,7 +21,7 @@ std::string draw_bars(const Chart& chart, double& width, double& height, double 
     double names = 0, ends = 0;
     std::vector<std::vector<std::string>> names_of;
     for (const Bar& bar : chart.bars) {
-        names_of.push_back(wrapped(bar.name, text_size, 0.3 * width));
+        names_of.push_back(balanced(bar.name, text_size, 0.3 * width));
         for (const std::string& line : names_of.back()) names = std::max(names, text_width(line, text_size));
         ends = std::max(ends, text_width(end_text(bar), note_size));
     }

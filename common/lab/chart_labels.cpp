@@ -36,6 +36,8 @@ void place_in_order(std::vector<Label>& labels, double top, double bottom) {
             labels[i].middle = std::clamp(block.mean(), least, most) + above[i];
 }
 
+constexpr double free_around = 5;  // text keeps this far from other things where it can
+
 /// Twice the area of the triangle a, b, c; its sign tells on which side of a-b the point c lies.
 double turn(Point a, Point b, Point c) {
     return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
@@ -113,7 +115,7 @@ double Obstacles::clutter(const Box& box) const {
 
 std::size_t freest(const std::vector<Box>& candidates, const Obstacles& obstacles) {
     std::vector<double> clutter;
-    for (const Box& box : candidates) clutter.push_back(obstacles.clutter(box));
+    for (const Box& box : candidates) clutter.push_back(obstacles.clutter(box.wider(free_around)));
     return static_cast<std::size_t>(std::min_element(clutter.begin(), clutter.end()) - clutter.begin());
 }
 

@@ -47,16 +47,19 @@ std::optional<Note> place_on_level(const Level& level, const Frame& frame, const
     const Box& plot = frame.plot;
     const double at = frame.y(level.value);
     for (const double part : {0.9, 0.5, 0.35}) {  // of the plot's width: in one line, or broken
-        const auto lines = wrapped(level.reason, note_size, part * plot.width());
+        const auto lines = balanced(level.reason, note_size, part * plot.width());
         const Note note = note_at(lines, 0, 0);
         const double free = plot.width() - note.box.width() - 2 * off_border;
         constexpr int places = 12;
         for (int i = 0; i <= places; ++i)
-            for (const double top : {at - note.box.height() - 1, at + 2}) {
+            for (const bool above : {true, false}) {
+                const double top = above ? at - note.box.height() - 1 : at + 2;
                 const Note there = note_at(lines, plot.left + off_border + free * i / places, top);
-                const Box& box = there.box;
+                const Box& box = there.box;  // kept free all round, but for the line itself
+                const Box around{box.left - 4, box.top - (above ? 3 : 0), box.right + 4,
+                                 box.bottom + (above ? 0 : 3)};
                 if (free >= 0 && box.top >= plot.top && box.bottom <= plot.bottom &&
-                    obstacles.clutter(box) == 0)
+                    obstacles.clutter(around) == 0)
                     return there;
             }
     }
@@ -79,7 +82,7 @@ std::string draw_levels_on_x(const Chart& chart, const Frame& frame, Obstacles& 
         if (!frame.x.shows(level.value)) continue;
         out += draw_level_line(level, frame, false);
         const double at = frame.x(level.value);
-        const auto lines = wrapped(level.reason, note_size, 0.4 * plot.width());
+        const auto lines = balanced(level.reason, note_size, 0.4 * plot.width());
         const Note note = note_at(lines, 0, 0);
         constexpr int places = 12;
         std::vector<Box> candidates;
@@ -180,7 +183,7 @@ std::string draw_rings(const Chart& chart, const Frame& frame, Obstacles& obstac
                escaped(ring.text + ": " + chart.x.name + " " + spoken(ring.x) + ", " + chart.y.name + " " +
                        spoken(ring.y)) +
                "</title></circle>\n";
-        const auto lines = wrapped(ring.text, note_size, 0.45 * frame.plot.width());
+        const auto lines = balanced(ring.text, note_size, 0.45 * frame.plot.width());
         if (lines.empty()) continue;
         const Note size = note_at(lines, 0, 0);
         std::vector<Box> candidates;

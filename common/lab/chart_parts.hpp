@@ -15,6 +15,7 @@ struct Box {
     double left = 0, top = 0, right = 0, bottom = 0;
     double width() const { return right - left; }
     double height() const { return bottom - top; }
+    Box wider(double by) const { return {left - by, top - by, right + by, bottom + by}; }
 };
 
 using Line = std::vector<Point>;
@@ -27,6 +28,8 @@ inline constexpr double heading_size = 20, text_size = 16, tick_size = 15, note_
 /// nearly so.
 double text_width(std::string_view utf8, double size);
 std::vector<std::string> wrapped(std::string_view utf8, double size, double width);
+/// As few lines as `wrapped`, of lengths as equal as they can be.
+std::vector<std::string> balanced(std::string_view utf8, double size, double width);
 std::string escaped(std::string_view text);
 std::string unit(double length);                          ///< at most one decimal
 std::string decimal(double value, int decimals);          ///< a real minus, thin spaces between thousands
