@@ -15,18 +15,21 @@ Labels = dofile(here .. "labels.lua")
 Boxes = dofile(here .. "boxes.lua")
 Page = dofile(here .. "page.lua")
 
--- Images stay images: a picture alone in its paragraph is a figure, in every version of pandoc the same way. "(8)" begins no list.
+-- Images stay images: a picture alone in its paragraph is a figure, in every version of pandoc the same way.
+-- "(8)" begins no list.
 local markdown = "markdown-implicit_figures-latex_macros-fancy_lists-example_lists"
 
 local function raw(html) return pandoc.RawInline("html", html) end
 local function raw_block(html) return pandoc.RawBlock("html", html) end
 
 --- Formulas are only marked here; katex.cjs sets them, and knows from data-at whom to blame.
-local function math(page, m)
+--- A number in a formula is \num{NAME ...}.
+function Book.math(page, m)
     local at = Report.line(page, m.text)
     local tex = m.text:gsub("\\num%s*(%b{})", function(spec) return Numbers.tex(page, spec:sub(2, -2), at) end)
     local display = m.mathtype == "DisplayMath" and " display" or ""
-    return raw(('<span class="tex%s" data-at="%s%s:%d">%s</span>'):format(display, Book.prefix, page.file, at, Page.escape(tex)))
+    return raw(('<span class="tex%s" data-at="%s%s:%d">%s</span>')
+        :format(display, Book.prefix, page.file, at, Page.escape(tex)))
 end
 
 local function code(page, block)
@@ -37,7 +40,8 @@ local function code(page, block)
     local language = block.classes[1] or Regions.language(region.path)
     local link = ("source/%s.html#L-%d"):format(region.path, region.first)
     return {raw_block('<div class="code">'), pandoc.CodeBlock(region.text, {class = language}),
-            raw_block(('<p class="from"><a href="%s">%s</a></p></div>'):format(link, Page.escape(region.path .. region.suffix)))}
+            raw_block(('<p class="from"><a href="%s">%s</a></p></div>')
+                :format(link, Page.escape(region.path .. region.suffix)))}
 end
 
 --- Links between pages are written to the Markdown files; here they become links between the HTML pages.
@@ -63,15 +67,18 @@ local function paragraph(page, p)
     if #p.content == 1 and p.content[1].t == "Image" then return Figures.figure(page, p.content[1]) end
     for _, inline in ipairs(p.content) do
         if inline.t == "Image" then
-            Report.add(page, Report.line(page, inline.src), "the picture " .. inline.src .. " shares its paragraph with text: put empty lines round it")
+            Report.add(page, Report.line(page, inline.src),
+                "the picture " .. inline.src .. " shares its paragraph with text: put empty lines round it")
         end
     end
 end
 
 local function weave(page)
     local inlines = {
-        Math = function(m) return math(page, m) end,
-        RawInline = function(r) if r.format == "num" then return raw(Numbers.html(page, r.text, Report.line(page, r.text))) end end,
+        Math = function(m) return Book.math(page, m) end,
+        RawInline = function(r)
+            if r.format == "num" then return raw(Numbers.html(page, r.text, Report.line(page, r.text))) end
+        end,
         Cite = function(c) return Labels.resolve(page, c) end,
         Link = function(l) return link(page, l) end,
     }
@@ -98,9 +105,10 @@ local function check_links()
     for _, page in ipairs(Book.pages) do
         for _, l in ipairs(page.links) do
             if not ids[l.page] then
-                Report.add(page, l.at, ("the link %s leads to no page of this book"):format(l.target))
+                Report.add(page, l.at, "the link %s leads to no page of this book", l.target)
             elseif l.anchor ~= "" and not ids[l.page][l.anchor] then
-                Report.add(page, l.at, ("the link %s leads to no place: page %s has no id '%s'"):format(l.target, l.page, l.anchor))
+                Report.add(page, l.at,
+                    "the link %s leads to no place: page %s has no id '%s'", l.target, l.page, l.anchor)
             end
         end
     end

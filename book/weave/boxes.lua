@@ -20,7 +20,7 @@ local function errata_links(page, list, at)
         if Errata.by_id[id] then
             links[#links + 1] = ('<a class="erratum-link" href="errata.html#%s">%s</a>'):format(id, id)
         else
-            Report.add(page, at, ("erratum '%s': errata.csv has no such row"):format(id))
+            Report.add(page, at, "erratum '%s': errata.csv has no such row", id)
         end
     end
     return table.concat(links, " ")
@@ -31,7 +31,7 @@ local function equation(page, div)
     local at = Report.line(page, "#" .. div.identifier)
     local math = #div.content == 1 and div.content[1].content
     if not math or #math ~= 1 or math[1].t ~= "RawInline" or not math[1].text:find('class="tex display"', 1, true) then
-        Report.add(page, at, ("equation %s holds one $$…$$ and nothing else"):format(div.identifier))
+        Report.add(page, at, "equation %s holds one $$…$$ and nothing else", div.identifier)
         return {}
     end
     local number, extra = label.text, ""
@@ -41,8 +41,8 @@ local function equation(page, div)
         extra = ('<span class="corrects">%s %s</span>'):format(printed and "as printed," or "corrects", links)
     end
     local class = div.classes:includes("printed") and "equation printed" or "equation"
-    return pandoc.RawBlock("html", ('<div class="%s" id="%s"><div class="formula">%s</div><div class="eqno"><a href="#%s">%s</a>%s</div></div>')
-        :format(class, div.identifier, math[1].text, div.identifier, number, extra))
+    return pandoc.RawBlock("html", ('<div class="%s" id="%s"><div class="formula">%s</div>'):format(class, div.identifier, math[1].text)
+        .. ('<div class="eqno"><a href="#%s">%s</a>%s</div></div>'):format(div.identifier, number, extra))
 end
 
 local function box(page, div, class)
@@ -82,7 +82,7 @@ function Boxes.div(page, div)
     local known = {reveal = true, chapters = true, ["errata-table"] = true}
     for name in pairs(titles) do known[name] = true end
     for name in pairs(plain) do known[name] = true end
-    Report.add(page, Report.line(page, class), ("there is no box '%s' (%s)"):format(class, Report.names(known)))
+    Report.add(page, Report.line(page, class), "there is no box '%s' (%s)", class, Report.names(known))
     return {}
 end
 

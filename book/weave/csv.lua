@@ -1,7 +1,8 @@
 -- CSV as RFC 4180 has it: fields between commas, quoted ones may hold commas, newlines and "" for a quote.
 local Csv = {}
 
---- Rows as lists of strings, each with .line; lines that start with # before the header are skipped. On bad quoting: nil, line, reason.
+--- Rows as lists of strings, each with .line; lines that start with # before the header are skipped.
+--- On bad quoting: nil, line, reason.
 function Csv.parse(text)
     local rows, row, at, line = {}, {line = 1}, 1, 1
     while text:sub(at, at) == "#" do

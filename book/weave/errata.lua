@@ -12,7 +12,7 @@ function Errata.load()
     if not rows then return Report.add(file, line, why) end
     for i, row in ipairs(rows) do
         if #row ~= #columns then
-            Report.add(file, row.line, ("a row has %d cells, this one has %d"):format(#columns, #row))
+            Report.add(file, row.line, "a row has %d cells, this one has %d", #columns, #row)
         elseif i > 1 then
             local entry = {line = row.line}
             for c, name in ipairs(columns) do entry[name] = row[c] end
@@ -37,13 +37,15 @@ local function lives_html(page, entry)
             html = "wording only"
         elseif kind == "page" then
             local name, anchor = what:match("^([%w_]+)#?(.*)$")
-            html = ('shown on <a href="%s.html%s">%s</a>'):format(name, anchor ~= "" and "#" .. anchor or "", Errata.place(name, anchor))
+            html = ('shown on <a href="%s.html%s">%s</a>')
+                :format(name, anchor ~= "" and "#" .. anchor or "", Errata.place(name, anchor))
         elseif kind == "planned" then
             html = "planned: " .. Page.escape(what)
         elseif kind == "mistake" or kind == "test" then
             html = ("%s <code>%s</code>"):format(kind, Page.escape(what))
         else
-            Report.add(file, entry.line, ("%s lives in '%s': say mistake:, test:, page:, wording or planned:"):format(entry.id, item))
+            Report.add(file, entry.line,
+                "%s lives in '%s': say mistake:, test:, page:, wording or planned:", entry.id, item)
         end
         out[#out + 1] = html and "<li>" .. html .. "</li>" or ""
     end
@@ -70,7 +72,8 @@ function Errata.check_pages()
     for _, entry in ipairs(Errata.list) do
         for _, p in ipairs(entry.pages) do
             if not ids[p.name] or not ids[p.name][p.anchor] then
-                Report.add(file, entry.line, ("%s lives on page %s#%s, and there is no such place"):format(entry.id, p.name, p.anchor))
+                Report.add(file, entry.line,
+                    "%s lives on page %s#%s, and there is no such place", entry.id, p.name, p.anchor)
             end
         end
     end
@@ -82,17 +85,18 @@ function Errata.rows(page)
     for _, e in ipairs(Errata.list) do
         for _, cell in ipairs {e.where, e.printed, e.correct} do source[#source + 1] = "::: cell\n" .. cell .. "\n:::\n" end
     end
-    local as_page = {file = "errata.csv", text = Page.read(Book.pages_dir .. "/errata.csv", true) or "", name = page.name, labels = page.labels}
+    local as_page = {file = "errata.csv", text = Page.read(Book.pages_dir .. "/errata.csv", true) or ""}
     local cells = {}
     local blocks = pandoc.read(table.concat(source, "\n"), "markdown").blocks
     for _, div in ipairs(blocks) do cells[#cells + 1] = div.content end
-    local out = pandoc.List {pandoc.RawBlock("html", '<table class="errata"><thead><tr><th>Where</th><th>Printed</th><th>Correct</th>'
-        .. '<th>Lives</th></tr></thead><tbody>')}
+    local out = pandoc.List {pandoc.RawBlock("html", '<table class="errata"><thead><tr><th>Where</th>'
+        .. '<th>Printed</th><th>Correct</th><th>Lives</th></tr></thead><tbody>')}
     local function put(html) out:insert(pandoc.RawBlock("html", html)) end
     for i, e in ipairs(Errata.list) do
         put(('<tr id="%s"><td class="where"><a class="id" href="#%s">%s</a> <span class="place">'):format(e.id, e.id, e.id))
         out:extend(cells[3 * i - 2])
-        put(('</span> <span class="severity %s">%s</span></td><td data-label="Printed">'):format(e.severity:match("^%w+"), Page.escape(e.severity)))
+        put(('</span> <span class="severity %s">%s</span></td><td data-label="Printed">')
+            :format(e.severity:match("^%w+"), Page.escape(e.severity)))
         out:extend(cells[3 * i - 1])
         put('</td><td data-label="Correct">')
         out:extend(cells[3 * i])
@@ -101,10 +105,7 @@ function Errata.rows(page)
     put("</tbody></table>")
     local woven = {}
     for k, f in pairs(page.inlines) do woven[k] = f end
-    woven.Math = function(m)
-        local display = m.mathtype == "DisplayMath" and " display" or ""
-        return pandoc.RawInline("html", ('<span class="tex%s" data-at="%serrata.csv:%d">%s</span>'):format(display, Book.prefix, Report.line(as_page, m.text), Page.escape(m.text)))
-    end
+    woven.Math = function(m) return Book.math(as_page, m) end
     return pandoc.Blocks(out):walk(woven)
 end
 

@@ -27,9 +27,10 @@ local function chart(page, at, src, svg)
     local id = root:match("%sid=['\"]([^'\"]+)")
     page.charts = page.charts or {}
     if not root:find("class=['\"]chart['\"]") or not id then
-        return Report.add(page, at, ("picture %s: the SVG is not from our chart writer (class='chart', an id of its own)"):format(src))
+        return Report.add(page, at,
+            "picture %s: the SVG is not from our chart writer (class='chart', an id of its own)", src)
     elseif page.charts[id] then
-        return Report.add(page, at, ("picture %s: the same chart is on this page already"):format(src))
+        return Report.add(page, at, "picture %s: the same chart is on this page already", src)
     end
     page.charts[id] = true
     return '<div class="plot">' .. svg .. "</div>"
@@ -50,7 +51,7 @@ local function content(page, image, at)             -- html, fields of the .txt;
     local chapter, file = src:match("^([%w_]+)/([%w_.-]+)$")
     if not chapter then chapter, file = page.name, src end
     if not chapter:find("^%d%d_") then
-        return Report.add(page, at, ("picture %s: this page is no chapter: say whose picture, 01_newton/%s"):format(src, src))
+        return Report.add(page, at, "picture %s: this page is no chapter: say whose picture, 01_newton/%s", src, src)
     end
     local path = Book.results .. "/" .. chapter .. "/" .. file
     local fields = note((path:gsub("%.%w+$", ".txt")))
@@ -60,7 +61,8 @@ local function content(page, image, at)             -- html, fields of the .txt;
         if Numbers.load(chapter).told then return nil end            -- the whole chapter has not been run
         local reason = fields and fields["not drawn"]
         if not file:find("%.png$") or not reason then
-            return Report.add(page, at, ("picture %s: there is no %s/%s: draw it in the chapter's program, then %s"):format(src, chapter, file, command))
+            return Report.add(page, at,
+                "picture %s: there is no %s/%s: draw it in the chapter's program, then %s", src, chapter, file, command)
         end
         return ('<div class="not-drawn"><b>%s was not drawn:</b> %s. Once that is mended, <code>%s</code> draws it.</div>')
             :format(Page.escape(src), Page.escape((reason:gsub("%.$", ""))), Page.escape(command)), command
@@ -68,13 +70,14 @@ local function content(page, image, at)             -- html, fields of the .txt;
     if file:find("%.svg$") then
         return chart(page, at, src, bytes), command
     elseif not file:find("%.png$") then
-        return Report.add(page, at, ("picture %s: a picture is a .png, a chart an .svg"):format(src))
+        return Report.add(page, at, "picture %s: a picture is a .png, a chart an .svg", src)
     end
     local width, height = png_size(bytes)
-    if not width then return Report.add(page, at, ("picture %s: the file is no PNG"):format(src)) end
+    if not width then return Report.add(page, at, "picture %s: the file is no PNG", src) end
     Page.write("pictures/" .. chapter .. "/" .. file, bytes)
     local alt = image.attributes.alt or pandoc.utils.stringify(image.caption)
-    return ('<img src="pictures/%s/%s" alt="%s" width="%d" height="%d">'):format(chapter, file, Page.escape(alt), width, height), command
+    return ('<img src="pictures/%s/%s" alt="%s" width="%d" height="%d">')
+        :format(chapter, file, Page.escape(alt), width, height), command
 end
 
 function Figures.figure(page, image)
@@ -87,7 +90,8 @@ function Figures.figure(page, image)
     local open = ('<figure%s%s%s>%s'):format(image.identifier ~= "" and ' id="' .. Page.escape(image.identifier) .. '"' or "",
         class ~= "" and ' class="' .. class .. '"' or "", style, html)
     if #image.caption == 0 then
-        if label then Report.add(page, at, ("picture %s: a numbered figure has a caption that can be read alone"):format(image.src)) end
+        if label then Report.add(page, at,
+            "picture %s: a numbered figure has a caption that can be read alone", image.src) end
         return pandoc.RawBlock("html", open .. "</figure>")
     end
     local number = label and ('<b class="figno">%s.</b> '):format(label.text:gsub(" ", "\u{a0}")) or ""

@@ -1,5 +1,5 @@
-// katex.cjs KATEX_DIR BOOK_DIR: sets every <span class="tex"> of the woven pages in place, so that the reader's browser runs no script,
-// and copies KaTeX's style sheet and fonts beside them. Bad TeX is reported with page and line, and the exit code is 1.
+// katex.cjs KATEX_DIR BOOK_DIR: sets every <span class="tex"> of the woven pages in place, so that the reader's browser
+// runs no script, and copies KaTeX's style sheet and fonts beside them. Bad TeX is reported with page and line, and the exit code is 1.
 'use strict';
 const fs = require('fs'), path = require('path');
 const [katexDir, book] = process.argv.slice(2);
@@ -22,7 +22,8 @@ for (const file of fs.readdirSync(book).filter(f => f.endsWith('.html'))) {
                 set.set(key, katex.renderToString(text(escaped), {displayMode: !!display, throwOnError: true, strict: 'error',
                     output: 'htmlAndMathml', macros: {...macros}}));
             } catch (e) {
-                console.error(`${at}: bad TeX: ${e.message.replace(/^KaTeX parse error: |\u0332/g, '').split('\n')[0]}\n    ${text(escaped).trim()}`);
+                const why = e.message.replace(/^KaTeX parse error: |\u0332/g, '').split('\n')[0];
+                console.error(`${at}: bad TeX: ${why}\n    ${text(escaped).trim()}`);
                 ++bad;
                 return '?';
             }

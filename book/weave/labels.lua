@@ -8,7 +8,7 @@ local by_id = {}                                    -- id -> list of {page =, te
 local function put(page, id, text)
     if page.labels[id] then
         Report.line(page, "#" .. id)
-        Report.add(page, Report.line(page, "#" .. id), ("the label %s is given twice on this page"):format(id))
+        Report.add(page, Report.line(page, "#" .. id), "the label %s is given twice on this page", id)
         return
     end
     page.labels[id] = {text = text, href = page.name .. ".html#" .. id}
@@ -44,7 +44,8 @@ local function equation(page, div)
     if last and last ~= "" then                     -- (8–9) answers to eq:8 and eq:9 too
         for n = tonumber(first), tonumber(last) do
             local id = "eq:" .. n .. (star and "star" or "")
-            page.labels[id] = page.labels[id] or {text = "(" .. n .. (star and "*" or "") .. ")", href = page.name .. ".html#" .. div.identifier}
+            local own = "(" .. n .. (star and "*" or "") .. ")"
+            page.labels[id] = page.labels[id] or {text = own, href = page.name .. ".html#" .. div.identifier}
             by_id[id] = by_id[id] or {}
             table.insert(by_id[id], page)
         end
@@ -52,7 +53,7 @@ local function equation(page, div)
     local erratum = div.attributes.erratum
     if star and not erratum then
         Report.add(page, Report.line(page, "#" .. div.identifier),
-            ("equation %s is a corrected one: say which erratum, {#%s erratum=E..}"):format(text, div.identifier))
+            "equation %s is a corrected one: say which erratum, {#%s erratum=E..}", text, div.identifier)
     end
 end
 
@@ -100,7 +101,7 @@ end
 local function find(page, key, at)
     if key:find("^E%d%d$") then
         if not Errata.by_id[key] then
-            Report.add(page, at, ("unknown reference @%s: errata.csv has no such row"):format(key))
+            Report.add(page, at, "unknown reference @%s: errata.csv has no such row", key)
             return nil
         end
         return {text = key, href = "errata.html#" .. key}
@@ -114,9 +115,10 @@ local function find(page, key, at)
     end
     if #pages == 1 then return pages[1].labels[id] end
     if #pages == 0 then
-        Report.add(page, at, ("unknown reference @%s: %s"):format(key, Labels.nearest(id)))
+        Report.add(page, at, "unknown reference @%s: %s", key, Labels.nearest(id))
     else
-        Report.add(page, at, ("ambiguous reference @%s: write @%s/%s or @%s/%s"):format(key, pages[1].name, id, pages[2].name, id))
+        Report.add(page, at,
+            "ambiguous reference @%s: write @%s/%s or @%s/%s", key, pages[1].name, id, pages[2].name, id)
     end
 end
 
@@ -137,8 +139,9 @@ function Labels.resolve(page, cite)
         if i > 1 then out:insert(pandoc.Str(i == #cite.citations and " and " or ", ")) end
         if #c.prefix > 0 then out:extend(c.prefix); out:insert(pandoc.Space()) end
         if label then
-            out:insert(pandoc.RawInline("html", ('<a class="ref" href="%s">%s</a>'):format(
-                label.href:gsub("^" .. page.name:gsub("%p", "%%%0") .. "%.html", ""), Page.escape(label.text):gsub(" ", "\u{a0}"))))
+            local href = label.href:gsub("^" .. page.name:gsub("%p", "%%%0") .. "%.html", "")
+            local text = Page.escape(label.text):gsub(" ", "\u{a0}")
+            out:insert(pandoc.RawInline("html", ('<a class="ref" href="%s">%s</a>'):format(href, text)))
         else
             out:insert(pandoc.Str("?"))
         end

@@ -12,7 +12,8 @@ function Numbers.load(chapter)
     tables[chapter] = t
     local text = Page.read(path, true)
     if not text then
-        t.missing = ("%s/numbers.csv is not there: run ./course run %d first"):format(chapter, tonumber(chapter:match("^%d+")) or 0)
+        t.missing = ("%s/numbers.csv is not there: run ./course run %d first")
+            :format(chapter, tonumber(chapter:match("^%d+")) or 0)
         return t
     end
     local rows, line, why = Csv.parse(text)
@@ -27,7 +28,7 @@ end
 --- {sign, digits, exponent or nil, unit, title}; nil after a complaint
 local function take(page, spec, at)
     local function complain(what)
-        Report.add(page, at, ("number `%s`: %s"):format(spec, what))
+        Report.add(page, at, "number `%s`: %s", spec, what)
     end
     local words = {}
     for word in spec:gmatch("%S+") do words[#words + 1] = word end
@@ -42,7 +43,9 @@ local function take(page, spec, at)
         return nil
     end
     local entry = t.values[name]
-    if not entry then return complain(("no such name in %s/numbers.csv (%s)"):format(chapter, Numbers.nearest(t.values, name))) end
+    if not entry then
+        return complain(("no such name in %s/numbers.csv (%s)"):format(chapter, Numbers.nearest(t.values, name)))
+    end
     local value = entry.value
     if not value or value ~= value or value == math.huge or value == -math.huge then
         return complain(("its value is %s, not a finite number"):format(entry.text))
@@ -51,7 +54,8 @@ local function take(page, spec, at)
     for _, word in ipairs(words) do
         local operator, factor = word:match("^([*/])([%d.eE+-]+)$")
         if word == "abs" then value = math.abs(value)
-        elseif operator and tonumber(factor) and #unit == 0 then value = operator == "*" and value * tonumber(factor) or value / tonumber(factor)
+        elseif operator and tonumber(factor) and #unit == 0 then
+            value = operator == "*" and value * tonumber(factor) or value / tonumber(factor)
         elseif word:find("^%%[-+ #0]*%d*%.?%d*[efgd]$") then format = word
         elseif word == "unit" and #unit == 0 then unit[1] = entry.unit
         elseif word:find("^%%.") then return complain("format " .. word .. " is none of %d %f %e %g")
@@ -64,7 +68,7 @@ local function take(page, spec, at)
     local text = string.format(format, value)
     local sign, digits, exponent = text:match("^%s*([-+]?)([%d.]+)[eE]?([-+]?%d*)%s*$")
     if sign == "-" and not digits:find("[1-9]") then sign = "" end
-    return {sign = sign, digits = digits, exponent = exponent ~= "" and tonumber(exponent) or nil, unit = table.concat(unit, " "),
+    return {sign = sign, digits = digits, exponent = tonumber(exponent), unit = table.concat(unit, " "),
             title = ("%s/%s = %s%s"):format(chapter, name, entry.text, entry.unit ~= "" and " " .. entry.unit or "")}
 end
 
@@ -82,7 +86,9 @@ end
 
 local function grouped(digits, separator)          -- 16000 -> 16 000
     local whole, rest = digits:match("^(%d+)(.*)$")
-    if #whole >= 5 then whole = whole:reverse():gsub("(%d%d%d)(%d)", "%1 %2"):gsub("(%d%d%d)(%d)", "%1 %2"):reverse():gsub(" ", separator) end
+    if #whole >= 5 then
+        whole = whole:reverse():gsub("(%d%d%d)", "%1 "):reverse():gsub("^ ", ""):gsub(" ", separator)
+    end
     return whole .. rest
 end
 
@@ -93,8 +99,10 @@ function Numbers.html(page, spec, at)
     if n.exponent and n.exponent ~= 0 then
         text = ("%s%s×%s10<sup>%s%d</sup>"):format(text, thin, thin, n.exponent < 0 and "\u{2212}" or "", math.abs(n.exponent))
     end
-    if n.unit ~= "" then text = text .. (n.unit:find("^[%%°]") and "" or "\u{a0}") .. Page.escape(n.unit):gsub("%^(%-?%d+)", function(e)
-        return "<sup>" .. e:gsub("-", "\u{2212}") .. "</sup>" end) end
+    if n.unit ~= "" then
+        local unit = Page.escape(n.unit):gsub("%^(%-?%d+)", function(e) return "<sup>" .. e:gsub("-", "\u{2212}") .. "</sup>" end)
+        text = text .. (n.unit:find("^[%%°]") and "" or "\u{a0}") .. unit
+    end
     return ('<span class="num" title="%s">%s</span>'):format(Page.escape(n.title), text)
 end
 

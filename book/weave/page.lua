@@ -47,7 +47,8 @@ local function contents_of(page)
 end
 
 local chapters
---- All chapters, those to come included, as index.md's header names them: "chapters:", then lines "- 4 Rotations. What it is about."
+--- All chapters, those to come included, as index.md's header names them: "chapters:", then lines
+--- "- 4 Rotations. What it is about."
 function Page.chapters()
     if chapters then return chapters end
     local list, by_number = {}, {}
@@ -57,7 +58,8 @@ function Page.chapters()
         if number then
             list[#list + 1] = {number = number, title = title, about = about, page = by_number[tonumber(number)]}
         else
-            Report.add(Book.pages[1], Report.line(Book.pages[1], "chapters:"), "a line under chapters: is '- 4 Title. What it is about.' without a colon")
+            Report.add(Book.pages[1], Report.line(Book.pages[1],
+                "chapters:"), "a line under chapters: is '- 4 Title. What it is about.' without a colon")
         end
     end
     chapters = list
@@ -69,8 +71,9 @@ function Page.chapter_list()
     local items = {}
     for _, c in ipairs(Page.chapters()) do
         local title = Page.escape(c.page and c.page.title or c.title)
-        items[#items + 1] = ('<li class="%s"><span class="no">%s</span><div><b>%s</b> %s</div></li>'):format(c.page and "here" or "coming", c.number,
-            c.page and ('<a href="%s.html">%s</a>'):format(c.page.name, title) or title .. " <i>(coming)</i>", Page.escape(c.about))
+        local name = c.page and ('<a href="%s.html">%s</a>'):format(c.page.name, title) or title .. " <i>(coming)</i>"
+        items[#items + 1] = ('<li class="%s"><span class="no">%s</span><div><b>%s</b> %s</div></li>')
+            :format(c.page and "here" or "coming", c.number, name, Page.escape(c.about))
     end
     return pandoc.RawBlock("html", '<ol class="chapter-list">' .. table.concat(items) .. "</ol>")
 end
@@ -114,7 +117,8 @@ end
 
 --- A quoted source file as a page of its own, lines numbered, so that the link under each listing opens from disk.
 function Page.write_source(path)
-    local block = pandoc.CodeBlock(Book.sources[path]:gsub("\n$", ""), {id = "L", class = Regions.language(path) .. " numberLines lineAnchors"})
+    local text = Book.sources[path]:gsub("\n$", "")
+    local block = pandoc.CodeBlock(text, {id = "L", class = Regions.language(path) .. " numberLines lineAnchors"})
     local code = pandoc.write(pandoc.Pandoc {block}, "html5")
     local up = "../" .. path:gsub("[^/]+", ".."):gsub("%.%.$", "")
     Page.write("source/" .. path .. ".html", fill {

@@ -42,19 +42,19 @@ function Regions.take(page, spec)
     path = path or spec
     local file = load(path)
     if not file then
-        Report.add(page, at, ("region \"%s\": there is no file %s"):format(spec, path))
+        Report.add(page, at, "region \"%s\": there is no file %s", spec, path)
         return nil
     end
     local region = name and file.regions[name] or {first = 1, last = #file.lines}
     if name and not file.regions[name] then
-        Report.add(page, at, ("region \"%s\": no region '%s' in %s (%s)"):format(spec, name, path,
-            Report.names(file.regions, "it has none: put // [" .. name .. "] and // [/" .. name .. "] round the lines")))
+        Report.add(page, at, "region \"%s\": no region '%s' in %s (%s)", spec, name, path,
+            Report.names(file.regions, "it has none: put // [" .. name .. "] and // [/" .. name .. "] round the lines"))
         return nil
     elseif not region.last then
-        Report.add(page, at, ("region \"%s\": the region is opened and never closed in %s"):format(spec, path))
+        Report.add(page, at, "region \"%s\": the region is opened and never closed in %s", spec, path)
         return nil
     elseif region.twice then
-        Report.add(page, at, ("region \"%s\": the name is opened twice in %s"):format(spec, path))
+        Report.add(page, at, "region \"%s\": the name is opened twice in %s", spec, path)
         return nil
     end
     local lines, indent, first = {}, 999, nil
@@ -70,7 +70,7 @@ function Regions.take(page, spec)
     end
     while #lines > 0 and not lines[#lines]:find("%S") do lines[#lines] = nil end
     if #lines == 0 then
-        Report.add(page, at, ("region \"%s\": the region is empty"):format(spec))
+        Report.add(page, at, "region \"%s\": the region is empty", spec)
         return nil
     end
     for i, text in ipairs(lines) do lines[i] = text:sub(indent + 1) end
@@ -92,7 +92,8 @@ function Regions.check_equations(page, at, spec, lines)
             end
         end
         if chapter and not found then
-            Report.add(page, at, ("region \"%s\" names equation %s, and page %s has none of that number"):format(spec, label, chapter.name))
+            Report.add(page, at,
+                "region \"%s\" names equation %s, and page %s has none of that number", spec, label, chapter.name)
         end
     end
 end

@@ -2,8 +2,8 @@
 local Report = {}
 local complaints = {}
 
---- The line of the next occurrence of `needle` in the page's source. (Pandoc's tree has no line numbers; the same text asked for
---- twice is found twice, in the order of the page.)
+--- The line of the next occurrence of `needle` in the page's source. (Pandoc's tree has no line numbers; the same text
+--- asked for twice is found twice, in the order of the page.)
 function Report.line(page, needle)
     page.found = page.found or {}
     local from = page.found[needle] or 1
@@ -18,7 +18,9 @@ function Report.line(page, needle)
     return newlines + 1
 end
 
-function Report.add(page, line, message)
+--- A complaint about a line; message is a format for what follows it.
+function Report.add(page, line, message, ...)
+    if select("#", ...) > 0 then message = message:format(...) end
     complaints[#complaints + 1] = {file = page.file, line = line, message = message, order = #complaints}
 end
 

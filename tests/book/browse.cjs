@@ -1,6 +1,6 @@
-// browse.cjs BOOK: opens every page of the woven book from disk in headless Chromium, on a phone, a small and a wide screen, light and dark.
-// A page fails by: a console message or an exception, a request that fails or leaves the book's folder, a script, sideways scrolling,
-// a formula or picture that is cut off, a link or anchor that leads nowhere, text too faint for its paper.
+// browse.cjs BOOK: opens every page of the woven book from disk in headless Chromium, on a phone, a small and a wide
+// screen, light and dark. A page fails by: a console message or an exception, a request that fails or leaves the book's
+// folder, a script, sideways scrolling, a formula or picture that is cut off, a link or anchor that leads nowhere, text too faint for its paper.
 // Exit code 77 (skipped) without Chromium, unless CI=true: there it must be present.
 'use strict';
 const {spawn, execFileSync} = require('child_process');
@@ -26,7 +26,8 @@ const pages = [];
 
 // --- the browser, by its debugging pipe: JSON messages that end in NUL -----------------------------------------------
 const profile = fs.mkdtempSync(path.join(os.tmpdir(), 'browse_'));
-const chromium = spawn(browser, ['--headless=new', '--disable-gpu', '--no-first-run', '--disable-dev-shm-usage', '--disable-background-networking', '--hide-scrollbars',
+const chromium = spawn(browser, ['--headless=new', '--disable-gpu', '--no-first-run', '--disable-dev-shm-usage',
+    '--disable-background-networking', '--hide-scrollbars',
     '--remote-debugging-pipe', `--user-data-dir=${profile}`, ...(process.getuid() === 0 ? ['--no-sandbox'] : []), 'about:blank'],
     {stdio: ['ignore', 'ignore', 'ignore', 'pipe', 'pipe']});
 const waiting = new Map(), heard = [];
@@ -67,7 +68,8 @@ function examine(width) {
             if (e.scrollWidth > e.clientWidth + 1) bad.push(`a formula is wider than a wide screen's column: ${who(e)}`);
     for (const e of document.querySelectorAll('.katex-error')) bad.push(`a formula was not set: ${who(e)}`);
     // Contrast of the text with the page's paper (WCAG: 4.5).
-    const light = c => { const [r, g, b] = c.map(v => (v /= 255) <= .03928 ? v / 12.92 : ((v + .055) / 1.055) ** 2.4); return .2126 * r + .7152 * g + .0722 * b; };
+    const linear = v => (v /= 255) <= .03928 ? v / 12.92 : ((v + .055) / 1.055) ** 2.4;
+    const light = ([r, g, b]) => .2126 * linear(r) + .7152 * linear(g) + .0722 * linear(b);
     const rgb = c => (c.match(/[\d.]+/g) || []).slice(0, 3).map(Number);
     const paper = light(rgb(getComputedStyle(document.body).backgroundColor));
     for (const e of document.querySelectorAll('main p, main li, main a, figcaption, h1, h2, svg.chart .title')) {
@@ -119,7 +121,8 @@ async function main() {
             if (found.dark !== (scheme === 'dark')) complain(`it does not follow the ${scheme} scheme`);
             if (width === 1280) {
                 ids.set(url.pathToFileURL(here).href, new Set(found.ids));
-                if (new Set(found.ids).size !== found.ids.length) complain(`an id is there twice: ${found.ids.find((id, i) => found.ids.indexOf(id) !== i)}`);
+                const twice = found.ids.find((id, i) => found.ids.indexOf(id) !== i);
+                if (twice) complain(`an id is there twice: ${twice}`);
                 for (const link of found.links) links.push([here, link]);
             }
         }

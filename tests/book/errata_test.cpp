@@ -13,22 +13,29 @@ namespace {
 
 using Row = std::vector<std::string>;
 
-/// RFC 4180. @throws std::runtime_error with the line of a quote that is never closed or stands where none may
+/// RFC 4180. @throws std::runtime_error with the line of a quote that is never closed or stands where none
+/// may
 std::vector<Row> parse_csv(const std::string& text) {
     std::vector<Row> rows;
     Row row;
     std::size_t at = 0;
     const auto refuse = [&](const std::string& what) {
-        throw std::runtime_error("line " + std::to_string(1 + std::count(text.begin(), text.begin() + static_cast<long>(at), '\n')) + ": " + what);
+        throw std::runtime_error(
+            "line " +
+            std::to_string(1 + std::count(text.begin(), text.begin() + static_cast<long>(at), '\n')) + ": " +
+            what);
     };
     while (at < text.size()) {
         std::string cell;
         if (text[at] == '"') {
             for (++at;; ++at) {
                 if (at >= text.size()) refuse("a quote is opened and never closed");
-                if (text[at] != '"') cell += text[at];
-                else if (at + 1 < text.size() && text[at + 1] == '"') cell += text[at++];
-                else break;
+                if (text[at] != '"')
+                    cell += text[at];
+                else if (at + 1 < text.size() && text[at + 1] == '"')
+                    cell += text[at++];
+                else
+                    break;
             }
             ++at;
         } else {
@@ -91,16 +98,22 @@ std::string objection(const std::string& item) {
     const std::string kind = item.substr(0, colon), name = item.substr(colon + 2);
     if (kind == "test") {
         if (name.find('/') != std::string::npos && fs::is_regular_file(project / name)) return "";
-        return tests.find("TEST_CASE(\"" + name + "\"") != std::string::npos ? "" : "names no test case (or file) of tests/";
+        return tests.find("TEST_CASE(\"" + name + "\"") != std::string::npos
+                   ? ""
+                   : "names no test case (or file) of tests/";
     }
     if (kind == "mistake")
-        return exercises.find("\"" + name + "\"") != std::string::npos ? "" : "names no mistake of chapters/*/exercises";
+        return exercises.find("\"" + name + "\"") != std::string::npos
+                   ? ""
+                   : "names no mistake of chapters/*/exercises";
     if (kind == "page") {
         const std::size_t hash = name.find('#');
         const fs::path page = project / "book" / (name.substr(0, hash) + ".md");
         if (!fs::is_regular_file(page)) return "names no page of book/";
         if (hash == std::string::npos) return "";
-        return read_text(page).find("#" + name.substr(hash + 1)) != std::string::npos ? "" : "names an anchor its page does not have";
+        return read_text(page).find("#" + name.substr(hash + 1)) != std::string::npos
+                   ? ""
+                   : "names an anchor its page does not have";
     }
     return "says nothing known";
 }
@@ -110,8 +123,13 @@ std::string objection(const std::string& item) {
 TEST_CASE("errata.csv has 80 rows, E01 to E80, six cells each and none empty") {
     REQUIRE(rows().size() == 81);
     CHECK(rows()[0] == Row{"id", "where", "printed", "correct", "severity", "lives"});
-    const std::set<std::string> severities = {"wording", "inaccurate", "unsafe", "breaks physics", "breaks physics in 3-D",
-                                              "unsafe, breaks physics", "does not compile"};
+    const std::set<std::string> severities = {"wording",
+                                              "inaccurate",
+                                              "unsafe",
+                                              "breaks physics",
+                                              "breaks physics in 3-D",
+                                              "unsafe, breaks physics",
+                                              "does not compile"};
     for (std::size_t i = 1; i < rows().size(); ++i) {
         const Row& row = rows()[i];
         const std::string number = std::to_string(i);
@@ -140,8 +158,9 @@ TEST_CASE("the check of errata.csv refuses what is not there") {
     CHECK(objection("test: errata.csv has 80 rows, E01 to E80, six cells each and none empty").empty());
     CHECK(objection("test: tests/book/errata_test.cpp").empty());
     CHECK(objection("page: notation#symbols").empty());
-    for (const char* wrong : {"test: no such test", "test: tests/book/lost.cpp", "mistake: no such mistake", "page: notation#nowhere",
-                              "page: nowhere#symbols", "planned: some day", "planned: chapter 8", "elsewhere", "word: x", ""}) {
+    for (const char* wrong : {"test: no such test", "test: tests/book/lost.cpp", "mistake: no such mistake",
+                              "page: notation#nowhere", "page: nowhere#symbols", "planned: some day",
+                              "planned: chapter 8", "elsewhere", "word: x", ""}) {
         INFO(wrong);
         CHECK(!objection(wrong).empty());
     }

@@ -2,12 +2,12 @@
 
 #include <sys/wait.h>
 
+#include <unistd.h>
 #include <atomic>
 #include <cstdio>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
-#include <unistd.h>
 
 namespace book_test {
 namespace fs = std::filesystem;
@@ -75,7 +75,8 @@ share,0.0123,
 nothing,nan,
 )";
 
-const char* const chart = R"(<svg xmlns='http://www.w3.org/2000/svg' class='chart' id='chart-NAME-1' viewBox='0 0 64 44'>
+const char* const chart =
+    R"(<svg xmlns='http://www.w3.org/2000/svg' class='chart' id='chart-NAME-1' viewBox='0 0 64 44'>
 <style>#chart-NAME-1 text{fill:var(--ink)}</style><text x='1' y='9'>NAME</text></svg>
 )";
 
@@ -88,7 +89,8 @@ std::string named(std::string text, const std::string& name) {
 
 LittleBook::LittleBook() {
     static std::atomic<int> count{0};
-    folder_ = fs::temp_directory_path() / ("little_book_" + std::to_string(getpid()) + "_" + std::to_string(++count));
+    folder_ = fs::temp_directory_path() /
+              ("little_book_" + std::to_string(getpid()) + "_" + std::to_string(++count));
     write("pages/errata.csv",
           "id,where,printed,correct,severity,lives\n"
           "E05,eq. 11,$F = 0$,\"$F = 1$, exactly\",inaccurate,page: 01_first#eq:11star\n");
@@ -97,7 +99,8 @@ LittleBook::LittleBook() {
     write("results/01_first/one.svg", named(chart, "one"));
     write("results/01_first/two.svg", named(chart, "two"));
     write("results/01_first/planet.png", std::string(reinterpret_cast<const char*>(pixel), sizeof pixel));
-    write("results/01_first/planet.txt", "drawn: 1 x 1\ncommand: bin/01_first --out results/01_first\nmethod: Verlet\n");
+    write("results/01_first/planet.txt",
+          "drawn: 1 x 1\ncommand: bin/01_first --out results/01_first\nmethod: Verlet\n");
     write("results/01_first/gone.txt", "drawn: 1 x 1\ncommand: ./course run 1\n");
     write("results/01_first/dark.txt", "not drawn: no OpenGL here\ncommand: ./course run 1\n");
 }
@@ -113,8 +116,8 @@ void LittleBook::write(const std::string& file, const std::string& text) const {
 
 Said LittleBook::weave() const {
     const std::string f = "'" + folder_.string();
-    return run("'" PROJECT_DIR "/book/build.sh' --pages " + f + "/pages' --results " + f + "/results' --root " + f + "' --out " + f +
-               "/out'");
+    return run("'" PROJECT_DIR "/book/build.sh' --pages " + f + "/pages' --results " + f +
+               "/results' --root " + f + "' --out " + f + "/out'");
 }
 
 std::string LittleBook::page(const std::string& name) const {

@@ -1,12 +1,13 @@
-// A little book in a folder of its own: its pages, sources and results are written by the test, book/build.sh weaves it.
+// A little book in a folder of its own: its pages, sources and results are written by the test, book/build.sh
+// weaves it.
 #pragma once
 #include <filesystem>
 #include <string>
 
 namespace book_test {
 
-std::string read_text(const std::filesystem::path& path);                           ///< @throws if it cannot be read
-void write_text(const std::filesystem::path& path, const std::string& text);        ///< folders are made
+std::string read_text(const std::filesystem::path& path);  ///< @throws if it cannot be read
+void write_text(const std::filesystem::path& path, const std::string& text);  ///< folders are made
 
 /// What a command said (both streams) and its exit code.
 struct Said {
@@ -17,14 +18,14 @@ Said run(const std::string& command);
 
 class LittleBook {
   public:
-    LittleBook();                                       ///< with errata.csv, a source, numbers, a chart and pictures
+    LittleBook();  ///< with errata.csv, a source, numbers, a chart and pictures
     ~LittleBook();
     LittleBook(const LittleBook&) = delete;
     LittleBook& operator=(const LittleBook&) = delete;
 
-    void write(const std::string& file, const std::string& text) const;     ///< file relative to the folder
-    Said weave() const;                                                     ///< by book/build.sh, into out/
-    std::string page(const std::string& name) const;                        ///< the woven page's HTML
+    void write(const std::string& file, const std::string& text) const;  ///< file relative to the folder
+    Said weave() const;                                                  ///< by book/build.sh, into out/
+    std::string page(const std::string& name) const;                     ///< the woven page's HTML
     const std::filesystem::path& folder() const { return folder_; }
 
   private:

@@ -23,8 +23,10 @@ void check_in_order(const std::string& text, const std::vector<std::string>& pie
 
 TEST_CASE("a good page: numbers, references, equations, code, figures, boxes") {
     const LittleBook book;
-    book.write("pages/index.md", "---\nchapters:\n- 1 First. It begins.\n- 2 Second. It goes on.\n---\n# The book {#sec:front}\n\n"
-                                 "See [@fig:planet] and `01_first/steps %d`{=num}.\n\n::: chapters\n:::\n");
+    book.write(
+        "pages/index.md",
+        "---\nchapters:\n- 1 First. It begins.\n- 2 Second. It goes on.\n---\n# The book {#sec:front}\n\n"
+        "See [@fig:planet] and `01_first/steps %d`{=num}.\n\n::: chapters\n:::\n");
     book.write("pages/01_first.md", R"(# First {#sec:first}
 
 ## Here {#sec:here}
@@ -77,34 +79,52 @@ Do [it](#sec:here), as in [the errata](errata.md#E05).
     REQUIRE(said.code == 0);
 
     const std::string page = book.page("01_first");
-    check_in_order(page, {"<a class=\"secno\" href=\"#sec:here\">1.1</a>", "\u2212" "1.03\u2009×\u2009" "10<sup>\u2212" "3</sup>\u00a0rad",
-                          "class=\"katex\"", "16\u202f" "000</span> steps", "1.2%", "0.0010</span>",
-                          "<a class=\"ref\" href=\"#eq:8-9\">(8)</a>", "<a class=\"ref\" href=\"#eq:8-9\">(9)</a>",
-                          "href=\"#eq:11star\">(11*)</a>", "href=\"#eq:ours\">(1.a)</a>", "href=\"#eq:more\">(1.b)</a>",
-                          "href=\"#fig:planet\">Figure\u00a01.1</a>", "href=\"#sec:here\">Section\u00a01.1</a>",
-                          "href=\"#ex:1.1\">Exercise\u00a01.1</a>", "href=\"errata.html#E05\">E05</a>"});
-    check_in_order(page, {"id=\"eq:8-9\"", "(8–9)", "id=\"eq:11star\"", "(11*)", "errata.html#E05", "id=\"eq:ours\"", "(1.a)"});
-    check_in_order(page, {"/// One step.", "x <span class=\"op\">+</span>", "href=\"source/src/code.hpp.html#L-4\"",
-                          "source/src/code.hpp.html#L-7"});
-    CHECK(page.find("exercise 1.1\n") == std::string::npos);       // the marks are never shown
+    check_in_order(page,
+                   {"<a class=\"secno\" href=\"#sec:here\">1.1</a>",
+                    "\u2212"
+                    "1.03\u2009×\u2009"
+                    "10<sup>\u2212"
+                    "3</sup>\u00a0rad",
+                    "class=\"katex\"",
+                    "16\u202f"
+                    "000</span> steps",
+                    "1.2%", "0.0010</span>", "<a class=\"ref\" href=\"#eq:8-9\">(8)</a>",
+                    "<a class=\"ref\" href=\"#eq:8-9\">(9)</a>", "href=\"#eq:11star\">(11*)</a>",
+                    "href=\"#eq:ours\">(1.a)</a>", "href=\"#eq:more\">(1.b)</a>",
+                    "href=\"#fig:planet\">Figure\u00a01.1</a>", "href=\"#sec:here\">Section\u00a01.1</a>",
+                    "href=\"#ex:1.1\">Exercise\u00a01.1</a>", "href=\"errata.html#E05\">E05</a>"});
+    check_in_order(page, {"id=\"eq:8-9\"", "(8–9)", "id=\"eq:11star\"", "(11*)", "errata.html#E05",
+                          "id=\"eq:ours\"", "(1.a)"});
+    check_in_order(page, {"/// One step.", "x <span class=\"op\">+</span>",
+                          "href=\"source/src/code.hpp.html#L-4\"", "source/src/code.hpp.html#L-7"});
+    CHECK(page.find("exercise 1.1\n") == std::string::npos);  // the marks are never shown
     CHECK(page.find("[step]") == std::string::npos);
-    check_in_order(page, {"<figure id=\"fig:planet\"><img src=\"pictures/01_first/planet.png\" alt=\"A planet.\" width=\"1\" height=\"1\">",
-                          "Figure\u00a01.1.", "<em>planet</em>", "<code class=\"command\">./course run 1</code>", "id='chart-one-1'",
-                          "Figure\u00a01.2.", "id='chart-two-1'", "Figure\u00a01.3.", "dark.png was not drawn:</b> no OpenGL here.",
-                          "Figure\u00a01.4."});
-    check_in_order(page, {"Predict first", "Which?", "<details><summary>What happens</summary>", "That.", "Exercise 1.1</b> · A step"});
+    check_in_order(page,
+                   {"<figure id=\"fig:planet\"><img src=\"pictures/01_first/planet.png\" alt=\"A planet.\" "
+                    "width=\"1\" height=\"1\">",
+                    "Figure\u00a01.1.", "<em>planet</em>", "<code class=\"command\">./course run 1</code>",
+                    "id='chart-one-1'", "Figure\u00a01.2.", "id='chart-two-1'", "Figure\u00a01.3.",
+                    "dark.png was not drawn:</b> no OpenGL here.", "Figure\u00a01.4."});
+    check_in_order(page, {"Predict first", "Which?", "<details><summary>What happens</summary>", "That.",
+                          "Exercise 1.1</b> · A step"});
     CHECK(page.find("<script") == std::string::npos);
 
-    check_in_order(book.page("index"), {"href=\"01_first.html\"", "<span class=\"no\">2</span>Second", "href=\"01_first.html#fig:planet\"",
-                                        "16\u202f" "000", "It begins.", "Second <i>(coming)</i></b> It goes on."});
-    check_in_order(book.page("errata"), {"<tr id=\"E05\">", "inaccurate", "exactly", "href=\"01_first.html#eq:11star\">chapter 1, (11*)</a>"});
+    check_in_order(book.page("index"), {"href=\"01_first.html\"", "<span class=\"no\">2</span>Second",
+                                        "href=\"01_first.html#fig:planet\"",
+                                        "16\u202f"
+                                        "000",
+                                        "It begins.", "Second <i>(coming)</i></b> It goes on."});
+    check_in_order(book.page("errata"), {"<tr id=\"E05\">", "inaccurate", "exactly",
+                                         "href=\"01_first.html#eq:11star\">chapter 1, (11*)</a>"});
     check_in_order(book.page("source/src/code.hpp"), {"id=\"L-1\"", "never_closed"});
     CHECK(std::filesystem::exists(book.folder() / "out/pictures/01_first/planet.png"));
 }
 
-TEST_CASE("every mistake of a page is named with file, line and what to do, all at once, and the old book stays") {
+TEST_CASE(
+    "every mistake of a page is named with file, line and what to do, all at once, and the old book stays") {
     const LittleBook book;
-    book.write("pages/01_first.md", "# First {#sec:first}\n\n::: {#eq:11star erratum=E05}\n$$ c = d $$\n:::\n");
+    book.write("pages/01_first.md",
+               "# First {#sec:first}\n\n::: {#eq:11star erratum=E05}\n$$ c = d $$\n:::\n");
     REQUIRE(book.weave().code == 0);
     const std::string before = book.page("01_first");
 
@@ -119,7 +139,8 @@ TEST_CASE("every mistake of a page is named with file, line and what to do, all 
         {"`turn %d`{=num}", "%d wants a whole number"},
         {"`turn %s`{=num}", "format %s is none of"},
         {"$\\num{gone %f}$", "number `gone %f`: no such name"},
-        {"```{region=\"src/code.hpp#stop\"}\n```", "no region 'stop' in src/code.hpp (it has: 1.1, labelled, open, step)"},
+        {"```{region=\"src/code.hpp#stop\"}\n```",
+         "no region 'stop' in src/code.hpp (it has: 1.1, labelled, open, step)"},
         {"```{region=\"src/code.hpp#labelled\"}\n```", "names equation (1.b), and page 01_first has none"},
         {"```{region=\"src/code.hpp#open\"}\n```", "the region is opened and never closed"},
         {"```{region=\"src/lost.hpp#step\"}\n```", "there is no file src/lost.hpp"},
@@ -156,9 +177,10 @@ TEST_CASE("every mistake of a page is named with file, line and what to do, all 
         }
         CHECK(found);
     }
-    CHECK(static_cast<std::size_t>(std::count(said.text.begin(), said.text.end(), ':')) >= 2 * mistakes.size());
+    CHECK(static_cast<std::size_t>(std::count(said.text.begin(), said.text.end(), ':')) >=
+          2 * mistakes.size());
     CHECK(book.page("01_first") == before);
-    std::size_t beside = 0;                                         // nothing half written is left
+    std::size_t beside = 0;  // nothing half written is left
     for (const auto& entry : std::filesystem::directory_iterator(book.folder()))
         beside += entry.path().filename().string().rfind("out", 0) == 0;
     CHECK(beside == 1);
@@ -168,17 +190,20 @@ TEST_CASE("a label on two pages: its own page first, else the page must be named
     const LittleBook book;
     const std::string equation = "\n::: {#eq:11star erratum=E05}\n$$ c = d $$\n:::\n";
     book.write("pages/01_first.md", "# First {#sec:first}\n\nOwn: [@eq:11star].\n" + equation);
-    book.write("pages/02_second.md", "# Second {#sec:second}\n\nOwn: [@eq:11star]; not: [@01_first/eq:11star].\n" + equation);
+    book.write("pages/02_second.md",
+               "# Second {#sec:second}\n\nOwn: [@eq:11star]; not: [@01_first/eq:11star].\n" + equation);
     book.write("pages/03_third.md", "# Third {#sec:third}\n\n[@01_first/eq:11star]\n");
     const Said good = book.weave();
     INFO(good.text);
     REQUIRE(good.code == 0);
-    check_in_order(book.page("02_second"), {"href=\"#eq:11star\">(11*)", "href=\"01_first.html#eq:11star\">(11*)"});
+    check_in_order(book.page("02_second"),
+                   {"href=\"#eq:11star\">(11*)", "href=\"01_first.html#eq:11star\">(11*)"});
 
     book.write("pages/03_third.md", "# Third {#sec:third}\n\n[@eq:11star]\n");
     const Said bad = book.weave();
     CHECK(bad.code == 1);
-    CHECK_THAT(bad.text, ContainsSubstring("03_third.md:3: ambiguous reference @eq:11star: write @01_first/eq:11star or @02_second/eq:11star"));
+    CHECK_THAT(bad.text, ContainsSubstring("03_third.md:3: ambiguous reference @eq:11star: write "
+                                           "@01_first/eq:11star or @02_second/eq:11star"));
 }
 
 TEST_CASE("errata.csv is judged too: quoting, cells, and places that are not there") {
@@ -186,8 +211,11 @@ TEST_CASE("errata.csv is judged too: quoting, cells, and places that are not the
     book.write("pages/01_first.md", "# First {#sec:first}\n\nNothing.\n");
     const Said nowhere = book.weave();
     CHECK(nowhere.code == 1);
-    CHECK_THAT(nowhere.text, ContainsSubstring("errata.csv:2: E05 lives on page 01_first#eq:11star, and there is no such place"));
-    book.write("pages/errata.csv", "id,where,printed,correct,severity,lives\nE05,\"open,x,y,inaccurate,wording\n");
+    CHECK_THAT(
+        nowhere.text,
+        ContainsSubstring("errata.csv:2: E05 lives on page 01_first#eq:11star, and there is no such place"));
+    book.write("pages/errata.csv",
+               "id,where,printed,correct,severity,lives\nE05,\"open,x,y,inaccurate,wording\n");
     CHECK_THAT(book.weave().text, ContainsSubstring("errata.csv:2: a quote is opened and never closed"));
     book.write("pages/errata.csv", "id,where,printed,correct,severity,lives\nE05,x,y,inaccurate,wording\n");
     CHECK_THAT(book.weave().text, ContainsSubstring("errata.csv:2: a row has 6 cells, this one has 5"));
@@ -202,7 +230,8 @@ TEST_CASE("bad arguments and folders of the book's build get one clear line") {
     CHECK(bare.code == 2);
     CHECK_THAT(bare.text, ContainsSubstring("book: --out wants a folder"));
     const LittleBook book;
-    const Said none = run(build + "--pages '" + book.folder().string() + "/src' --out '" + book.folder().string() + "/out'");
+    const Said none = run(build + "--pages '" + book.folder().string() + "/src' --out '" +
+                          book.folder().string() + "/out'");
     CHECK(none.code == 1);
     CHECK_THAT(none.text, ContainsSubstring("book: no pages in"));
     book.write("file", "not a folder");
