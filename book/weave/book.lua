@@ -1,6 +1,7 @@
 -- book.lua: weaves all pages of the book in one run of pandoc (2.17 and newer). Called by build.sh.
 -- Pass 1 reads the pages and numbers what can be referred to; pass 2 weaves and writes. What a page may say: HOWTO.md.
 -- The parts: report.lua (complaints with line), regions.lua (code), numbers.lua, figures.lua, errata.lua, boxes.lua, page.lua.
+PANDOC_VERSION:must_be_at_least("2.17", "book: pandoc %s or newer is needed, this is %s")
 local env = function(name) return os.getenv("BOOK_" .. name) end
 local here = env("HERE") .. "/weave/"
 Book = {pages_dir = env("PAGES"), root = env("ROOT"), results = env("RESULTS"), out = env("OUT"), here = env("HERE"),

@@ -36,6 +36,15 @@ local function chart(page, at, src, svg)
     return '<div class="plot">' .. svg .. "</div>"
 end
 
+--- A caption as plain text, for readers who do not see the picture; numbers and formulas are woven in already.
+local function spoken(caption)
+    local text = pandoc.Inlines(caption):walk {
+        RawInline = function(r) return pandoc.Str((r.text:gsub("<[^>]*>", ""))) end,
+        Str = function(s) return pandoc.Str(Page.escape(s.text)) end,
+    }
+    return pandoc.utils.stringify(text)
+end
+
 --- What the reader types to make the picture: the chapter's program is what ./course run N runs.
 function Figures.command(chapter, fields)
     local run = "./course run " .. tonumber(chapter:match("^%d+"))
@@ -75,9 +84,8 @@ local function content(page, image, at)             -- html, fields of the .txt;
     local width, height = png_size(bytes)
     if not width then return Report.add(page, at, "picture %s: the file is no PNG", src) end
     Page.write("pictures/" .. chapter .. "/" .. file, bytes)
-    local alt = image.attributes.alt or pandoc.utils.stringify(image.caption)
-    return ('<img src="pictures/%s/%s" alt="%s" width="%d" height="%d">')
-        :format(chapter, file, Page.escape(alt), width, height), command
+    local alt = image.attributes.alt and Page.escape(image.attributes.alt) or spoken(image.caption)
+    return ('<img src="pictures/%s/%s" alt="%s" width="%d" height="%d">'):format(chapter, file, alt, width, height), command
 end
 
 function Figures.figure(page, image)

@@ -90,7 +90,7 @@ std::string named(std::string text, const std::string& name) {
 LittleBook::LittleBook() {
     static std::atomic<int> count{0};
     folder_ = fs::temp_directory_path() /
-              ("little_book_" + std::to_string(getpid()) + "_" + std::to_string(++count));
+              ("little book_" + std::to_string(getpid()) + "_" + std::to_string(++count));
     write("pages/errata.csv",
           "id,where,printed,correct,severity,lives\n"
           "E05,eq. 11,$F = 0$,\"$F = 1$, exactly\",inaccurate,page: 01_first#eq:11star\n");

@@ -53,7 +53,7 @@ $$ g = h $$
 ```{region="src/code.hpp#1.1"}
 ```
 
-![A *planet*.](planet.png){#fig:planet}
+![A *planet*, `steps %d`{=num} steps of $x < 1$.](planet.png){#fig:planet}
 
 ![One.](one.svg){#fig:one}
 
@@ -99,12 +99,13 @@ Do [it](#sec:here), as in [the errata](errata.md#E05).
                           "href=\"source/src/code.hpp.html#L-4\"", "source/src/code.hpp.html#L-7"});
     CHECK(page.find("exercise 1.1\n") == std::string::npos);  // the marks are never shown
     CHECK(page.find("[step]") == std::string::npos);
-    check_in_order(page,
-                   {"<figure id=\"fig:planet\"><img src=\"pictures/01_first/planet.png\" alt=\"A planet.\" "
-                    "width=\"1\" height=\"1\">",
-                    "Figure\u00a01.1.", "<em>planet</em>", "<code class=\"command\">./course run 1</code>",
-                    "id='chart-one-1'", "Figure\u00a01.2.", "id='chart-two-1'", "Figure\u00a01.3.",
-                    "dark.png was not drawn:</b> no OpenGL here.", "Figure\u00a01.4."});
+    check_in_order(
+        page, {"<figure id=\"fig:planet\"><img src=\"pictures/01_first/planet.png\" alt=\"A planet, 16\u202f"
+               "000 steps of x &lt; 1.\" "
+               "width=\"1\" height=\"1\">",
+               "Figure\u00a01.1.", "<em>planet</em>", "<code class=\"command\">./course run 1</code>",
+               "id='chart-one-1'", "Figure\u00a01.2.", "id='chart-two-1'", "Figure\u00a01.3.",
+               "dark.png was not drawn:</b> no OpenGL here.", "Figure\u00a01.4."});
     check_in_order(page, {"Predict first", "Which?", "<details><summary>What happens</summary>", "That.",
                           "Exercise 1.1</b> · A step"});
     CHECK(page.find("<script") == std::string::npos);
