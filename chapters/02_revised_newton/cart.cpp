@@ -44,7 +44,10 @@ void leaky_cart(lab::Report& report) {
                lab::rounded(printed_energy) + " J; in truth cart and sand have " + lab::rounded(true_energy) + " + " +
                lab::rounded(sand_energy) + " J.");
     report.number("cart.truth.speed", truth.speed.back(), "m/s");
-    report.number("cart.truth.off", std::abs(truth.speed.back() - 10), "m/s");
+    double off = 0;
+    for (const double frame : {0.0, 4.0, 10.0})
+        for (const double speed : told_by(cart, frame).speed) off = std::max(off, std::abs(speed - 10));
+    report.number("cart.truth.off", off, "m/s");
     report.number("cart.printed.speed", ground.speed.back(), "m/s");
     report.number("cart.printed.walker", walker.speed.back(), "m/s");
     report.number("cart.printed.passenger", passenger.speed.back(), "m/s");
@@ -74,8 +77,8 @@ void leaky_cart(lab::Report& report) {
     };
     chart.series.push_back(line("truth", truth, lab::Draw::ghost, "exact"));
     chart.series.push_back(line("computed on the ground", ground, lab::Draw::line, ""));
-    chart.series.push_back(line("… at 4 m/s", walker, lab::Draw::line, ""));
-    chart.series.push_back(line("… on the cart", passenger, lab::Draw::line, ""));
+    chart.series.push_back(line("computed at 4 m/s", walker, lab::Draw::line, ""));
+    chart.series.push_back(line("computed on the cart", passenger, lab::Draw::line, ""));
     lab::write_svg(chart, report.path("cart.svg"));
 }
 

@@ -10,5 +10,6 @@ int main(int argc, char** argv) {
         nutshell::rocket(report);
         nutshell::launch(report);
         nutshell::momentum_books(report);
+        nutshell::pictures(report);
     });
 }

@@ -18,7 +18,7 @@ double gain_in_parcels(double ratio, long n, bool midway_parcels) {
 void gain_chart(lab::Report& report) {
     lab::Chart chart;
     chart.title = "The gain depends on one thing: the mass ratio";
-    chart.subtitle = "Rocket without gravity. Marks: computed with few and with many parcels. Line: u ln(m₀/m).";
+    chart.subtitle = "Rocket without gravity. Marks: few and many parcels. Formula: u ln(m₀/m).";
     chart.x = {"mass before over mass after, m₀/m", lab::Scale::logarithmic, 1, 20};
     chart.y = {"speed gained, in exhaust speeds", lab::Scale::linear, 0, 4};
     lab::Series five{"5 parcels"}, fifty{"50 parcels"}, formula{"formula"};
@@ -78,7 +78,7 @@ void rocket(lab::Report& report) {
     report.data("rocket.csv", lab::work_precision_data(curves));
     lab::Chart chart = lab::work_precision_chart(curves, before.need, lab::Cost::evaluations);
     chart.title = "Both balance the books to the last digit";
-    chart.subtitle = "Rocket: velocity of each parcel measured from the speed before it leaves, or from the mean.";
+    chart.subtitle = "Rocket. Each parcel measured from the speed before it leaves, or from the mean.";
     chart.x.name = "parcels";
     chart.y.name = "largest error of the speed, over the whole gain";
     chart.guides = {-1, -2};

@@ -12,20 +12,23 @@ struct RocketAndExhaust {
     std::vector<Particle> exhaust = {};
 };
 
-/// What gravity does to them: the weight of the rocket, and the field in which the parcels known at that moment fall.
+/// What gravity does to them at one moment. A parcel thrown out later is then still on board:
+/// its weight is part of the rocket's.
 struct Weights {
     Vector3 on_rocket;    ///< [N]
     Vector3 field;        ///< [m/s^2]
-    std::size_t parcels;  ///< how many there were: one thrown out later was then still part of the rocket's weight
+    std::size_t parcels;  ///< how many were out
 };
 
-/// Drift: everything moves; halfway the rocket throws out what it burns in dt, and the parcel goes its own way.
+/// Drift: everything moves; halfway the rocket throws out what it burns in dt, and the parcel
+/// goes its own way.
 inline void drift(RocketAndExhaust& all, double dt) {
     for (Particle& parcel : all.exhaust) drift(parcel, dt);
     Particle& rocket = all.rocket;
     const Flow& flow = all.rocket.flow;
     drift(rocket, dt / 2);
-    Particle parcel = eject(rocket, -flow.rate * dt, relative_velocity(flow, rocket, flow.rate * dt));
+    const double dm = flow.rate * dt;
+    Particle parcel = eject(rocket, -dm, relative_velocity(flow, rocket, dm));
     drift(rocket, dt / 2);
     drift(parcel, dt / 2);
     all.exhaust.push_back(parcel);
@@ -34,7 +37,8 @@ inline void drift(RocketAndExhaust& all, double dt) {
 /// Kick: the parcels fall too.
 inline void kick(RocketAndExhaust& all, const Weights& weights, double dt) {
     kick(all.rocket, weights.on_rocket, dt);
-    for (std::size_t i = 0; i < weights.parcels; ++i) kick(all.exhaust[i], all.exhaust[i].mass * weights.field, dt);
+    for (std::size_t i = 0; i < weights.parcels; ++i)
+        kick(all.exhaust[i], all.exhaust[i].mass * weights.field, dt);
 }
 // [/books]
 

@@ -6,7 +6,8 @@
 namespace nutshell {
 
 // [state]
-/// A body reduced to a point, described by its momentum: what forces change, and what exchanged mass carries along.
+/// A body reduced to a point, described by its momentum: what forces change, and what mass
+/// carries along when it comes or goes.
 struct Particle {
     double mass = 1;                     ///< [kg], greater than zero
     Vector3 position = Vector3::Zero();  ///< [m], world frame
@@ -41,7 +42,8 @@ inline void drift(Particle& body, double dt) {
     // end 2.1
 }
 
-/// Kick: a force [N], world frame, changes the momentum for dt seconds. No mass in it. Source: eq. (15).
+/// Kick: a force [N], world frame, changes the momentum for dt seconds. No mass in it.
+/// Source: eq. (15).
 inline void kick(Particle& body, const Vector3& force, double dt) {
     // exercise 2.2
     body.momentum += force * dt;
@@ -61,9 +63,11 @@ inline Vector3 total_force(std::span<const Vector3> forces) {
 // [/superposition]
 
 // [exchange]
-/// Exchange: the body gains `dm` kilograms (loses them if dm < 0), and with them the momentum they carry.
+/// Exchange: the body gains `dm` kilograms (loses them if dm < 0), and with them the momentum
+/// they carry.
 /// @param w  velocity of the exchanged mass relative to the body before the exchange [m/s]
-/// Whatever w is, body and exchanged mass together keep their momentum: what one gains, the other loses. Eq. (2.a).
+/// Whatever w is, body and exchanged mass together keep their momentum: what one gains, the
+/// other loses. Eq. (2.a).
 /// @throws std::invalid_argument if no mass would be left
 inline void exchange(Particle& body, double dm, const Vector3& w) {
     require_positive(body.mass + dm, "exchange: the mass left in the body [kg]");
@@ -73,7 +77,8 @@ inline void exchange(Particle& body, double dm, const Vector3& w) {
     // end 2.4
 }
 
-/// Ejects a parcel of `mass` kilograms at velocity w [m/s] relative to the body: an exchange whose other half is kept.
+/// Ejects a parcel of `mass` kilograms at velocity w [m/s] relative to the body: an exchange
+/// whose other half is kept.
 /// @return the parcel, at the body's place
 inline Particle eject(Particle& body, double mass, const Vector3& w) {
     const Particle parcel{mass, body.position, mass * (velocity(body) + w)};
@@ -83,11 +88,14 @@ inline Particle eject(Particle& body, double mass, const Vector3& w) {
 // [/exchange]
 
 // [acceleration]
-/// Acceleration [m/s^2] of a body that exchanges mass: m a = F + w dm/dt. Source: eq. (11*), the limit of (2.a).
-/// @param force  [N]    @param mass  [kg]    @param w  exchanged mass's velocity relative to the body [m/s]
+/// Acceleration [m/s^2] of a body that exchanges mass: m a = F + w dm/dt. Source: eq. (11*),
+/// the limit of (2.a).
+/// @param force  [N]    @param mass  [kg]
+/// @param w  velocity of the exchanged mass relative to the body [m/s]
 /// @param mass_rate  dm/dt [kg/s], negative if the body loses mass
 /// @throws std::invalid_argument if the mass is not greater than zero
-inline Vector3 acceleration(const Vector3& force, double mass, const Vector3& w, double mass_rate) {
+inline Vector3 acceleration(const Vector3& force, double mass, const Vector3& w,
+                            double mass_rate) {
     require_positive(mass, "acceleration: the mass [kg]");
     // exercise 2.5
     return (force + mass_rate * w) / mass;
@@ -96,9 +104,10 @@ inline Vector3 acceleration(const Vector3& force, double mass, const Vector3& w,
 // [/acceleration]
 
 // [midway]
-/// A parcel of |dm| that leaves at w relative to the *mean* of the body's velocities before and after: its velocity
-/// relative to the velocity before [m/s], as `exchange` wants it. A stream thrown in such parcels has the speed right
-/// to second order; relative to the velocity before, only to first. Eq. (2.c).
+/// A parcel of |dm| that leaves at w relative to the *mean* of the body's velocities before and
+/// after: its velocity relative to the velocity before [m/s], as `exchange` wants it. A stream
+/// thrown in such parcels has the speed right to second order; relative to the velocity before,
+/// only to first. Eq. (2.d).
 /// @throws std::invalid_argument if no mass would be left
 inline Vector3 midway(double mass, double dm, const Vector3& w) {
     require_positive(mass + dm, "midway: the mass left in the body [kg]");
@@ -123,7 +132,7 @@ struct Flow {
     RelativeTo relative_to = RelativeTo::body;
 };
 
-/// The velocity of the exchanged mass relative to the body before the exchange of dm kilograms [m/s].
+/// Velocity of the exchanged mass relative to the body before dm kilograms are exchanged [m/s].
 inline Vector3 relative_velocity(const Flow& flow, const Particle& body, double dm) {
     if (flow.relative_to == RelativeTo::world) return flow.velocity - velocity(body);
     if (flow.relative_to == RelativeTo::midway) return midway(body.mass, dm, flow.velocity);
@@ -135,8 +144,8 @@ struct VariableMass : Particle {
     Flow flow;
 };
 
-/// Drift of a particle whose mass changes: half the way with the mass it has, the exchange, half the way with the mass
-/// that is left. At the end of a step its mass is that of the step's end; a kick takes a force as ever.
+/// Drift of a particle whose mass changes: half the way with the mass it has, the exchange,
+/// half the way with the mass it then has. A kick takes a force as ever.
 inline void drift(VariableMass& body, double dt) {
     Particle& particle = body;
     drift(particle, dt / 2);
@@ -147,9 +156,11 @@ inline void drift(VariableMass& body, double dt) {
 // [/flow]
 
 // [rocket]
-/// What a rocket's speed gains [m/s] while its mass falls from m0 to m, without other forces: u ln(m0/m).
-/// @param u  exhaust speed relative to the rocket [m/s]    @param m0, m  mass before and after [kg]
-/// @throws std::invalid_argument if a mass is not greater than zero.  Source: K. Tsiolkovsky, 1903. Eq. (2.b).
+/// What a rocket's speed gains [m/s] without other forces while its mass falls from m0 to m:
+/// u ln(m0/m). Eq. (2.c). Source: K. Tsiolkovsky, 1903.
+/// @param u  exhaust speed relative to the rocket [m/s]
+/// @param m0, m  mass before and after [kg]
+/// @throws std::invalid_argument if a mass is not greater than zero
 inline double rocket_gain(double u, double m0, double m) {
     require_positive(m0, "rocket_gain: the mass before [kg]");
     require_positive(m, "rocket_gain: the mass after [kg]");
@@ -158,7 +169,8 @@ inline double rocket_gain(double u, double m0, double m) {
     // end 2.7
 }
 
-/// The propellant [kg] that a rocket of m0 kilograms must throw out to gain `gain` m/s: eq. (2.b) solved for it.
+/// The propellant [kg] that a rocket of m0 kilograms must throw out to gain `gain` m/s:
+/// eq. (2.c) solved for it.
 /// @throws std::invalid_argument if u or m0 is not greater than zero
 inline double propellant_for(double gain, double u, double m0) {
     require_positive(u, "propellant_for: the exhaust speed [m/s]");

@@ -32,17 +32,19 @@ struct MomentumThrow {
 };
 
 // [cart]
-/// A cart on level, frictionless rails loses sand through a hole in its floor. The sand leaves at the cart's own
-/// velocity; no force acts along the rails.
+/// A cart rolls over a frozen lake, without friction, and loses sand through a hole in its
+/// floor. The sand has the cart's own velocity when it leaves; no force acts along the way.
 /// exact: it rolls on as before; accurate to round-off.
 struct LeakyCart {
     std::string name = "leaky_cart";
-    VariableMass start{{2, {0, 0, 0}, {20, 0, 0}}, Flow{-0.1, Vector3::Zero(), RelativeTo::body}};
+    VariableMass start{{2, {0, 0, 0}, {20, 0, 0}},
+                       Flow{-0.1, Vector3::Zero(), RelativeTo::body}};
     double duration = 10;  // [s]: half the mass has left
     Need need{150.0 / 960, "m", "one pixel of its picture, 150 m across 960 pixels"};
 
-    /// The same cart as eqs. (11)-(15) with K = m v describe it: the mass changes, the momentum does not. That is the
-    /// claim that what leaves stays behind at rest in the world, whatever the cart does. Erratum E05.
+    /// The same cart as eqs. (11)-(15) with K = m v describe it: the mass changes, the momentum
+    /// does not. That is the claim that what leaves stays behind at rest in the world, whatever
+    /// the cart does. Erratum E05.
     static LeakyCart as_printed() {
         LeakyCart cart;
         cart.start.flow.relative_to = RelativeTo::world;
@@ -70,9 +72,9 @@ struct Raindrop {
     std::string name = "raindrop";
     double m0 = 1e-5;    // [kg], 10 mg
     double beta = 1e-5;  // [kg/s]
-    VariableMass start{{m0, {0, 50, 0}, {3 * m0, 0, 0}}, Flow{beta, Vector3::Zero(), RelativeTo::world}};
+    VariableMass start{{m0, {0, 53, 0}, {3 * m0, 0, 0}}, Flow{beta, Vector3::Zero(), RelativeTo::world}};
     double duration = 4;  // [s]
-    Need need{50.0 / 960, "m", "one pixel of its picture, 50 m across 960 pixels"};
+    Need need{55.0 / 800, "m", "one pixel of its picture, 55 m over 800 pixels"};
 
     Vector3 operator()(const Particle& drop, double) const { return drop.mass * gravity; }
     Particle exact(double t) const {
@@ -91,7 +93,7 @@ struct Rocket {
     VariableMass start{{10, {0, 0, 0}, {0, 0, 0}}, Flow{-0.5, {-100, 0, 0}, RelativeTo::body}};
     Vector3 field = Vector3::Zero();  // [m/s^2]
     double duration = 15;             // [s]
-    Need need{1.0 / 960, "of the gain", "one pixel of a chart of the speed, 960 pixels high"};
+    Need need{1.0 / 960, "of the gain", "one pixel of a chart 960 pixels high"};
 
     /// The same with its exhaust measured against the mean of the rocket's velocities before and after each parcel.
     template <class Scene>
@@ -122,7 +124,7 @@ struct Launch : Rocket {
         start.flow = Flow{-5, Vector3{-0.2, -1, 0}.normalized() * 40, RelativeTo::body};
         field = gravity;
         duration = 1.5;
-        need = Need{30.0 / 960, "m", "one pixel of its picture, 30 m across 960 pixels"};
+        need = Need{25.0 / 760, "m", "one pixel of its picture, 25 m over 760 pixels"};
     }
     double error(const Particle& state, double t) const { return distance(state, exact(t)); }
 };
