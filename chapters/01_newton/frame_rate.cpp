@@ -63,6 +63,10 @@ void game_loop(lab::Report& report) {
     report.number("game_loop.fixed_most", fixed_most, "m");
     report.number("game_loop.fixed_spread", fixed_most - fixed_least, "m");
 
+    // The source's program (section 10, erratum E72) makes one step of 0.008 s a frame, whatever the frame lasts.
+    report.number("game_loop.source_speed_at_60_hz", 0.008 * 60);
+    report.number("game_loop.source_speed_at_443_hz", 0.008 * 443);
+
     // The spiral of death: a step of 1/60 s of physics that takes the machine 20 ms.
     const double slow_step = 1.0 / 60, cost = 0.020;
     lab::Chart chart;
