@@ -34,7 +34,8 @@ Eigen::MatrixXd matrix_of_flow(const Scene& scene, const Method& method, double 
     return nutshell::lab::step_matrix(Eigen::VectorXd::Zero(2), [&](const Eigen::VectorXd& y) -> Eigen::VectorXd {
         nutshell::FlatPoint flat = nutshell::FlatPoint::Zero();
         flat[0] = y[0], flat[3] = y[1];
-        flat = method(flat, flow, 0.0, dt);
+        Method fresh = method;
+        flat = fresh(flat, flow, 0.0, dt);
         return Eigen::Vector2d(flat[0], flat[3]);
     });
 }

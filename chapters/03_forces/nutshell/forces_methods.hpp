@@ -2,6 +2,7 @@
 #pragma once
 #include <nutshell/compositions.hpp>
 #include <nutshell/exponential.hpp>
+#include <nutshell/flow.hpp>
 #include <nutshell/implicit.hpp>
 #include <nutshell/newton_methods.hpp>
 #include <nutshell/runge_kutta.hpp>
@@ -31,9 +32,7 @@ inline constexpr auto explicit_midpoint_method = [](const auto& y, const auto& f
     return explicit_midpoint(y, flow, t, dt);
 };
 inline constexpr auto rk4_method = [](const auto& y, const auto& flow, double t, double dt) { return rk4(y, flow, t, dt); };
-inline constexpr auto dormand_prince_method = [](const auto& y, const auto& flow, double t, double dt) {
-    return dormand_prince(y, flow, t, dt);
-};
+inline const DormandPrince<FlatPoint> dormand_prince_method = {};
 inline constexpr auto implicit_euler_method = [](const auto& y, const auto& flow, double t, double dt) {
     return implicit_euler(y, flow, t, dt);
 };

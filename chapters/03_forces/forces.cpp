@@ -1,0 +1,20 @@
+// Chapter 3 · Types of forces.  ./course run 3  runs it; results in out/03_forces.
+#include "program.hpp"
+#if __has_include("scale.hpp")
+#include "scale.hpp"
+#endif
+
+int main(int argc, char** argv) {
+    return nutshell::lab::program(argc, argv, "03_forces", [](nutshell::lab::Report& report) {
+        nutshell::falling(report);
+        nutshell::springs(report);
+        nutshell::limits(report);
+        nutshell::planet_again(report);
+        nutshell::model_ladder(report);
+        nutshell::pictures(report);
+#if __has_include("scale.hpp")
+        nutshell::chains_and_cloths(report);
+        nutshell::scale(report);
+#endif
+    });
+}
