@@ -60,7 +60,9 @@ std::string quote_printed(const Ran& ran) {
 }
 
 /// Verdict on one exercise that compiled.
-Verdict judge(const Chapter& chapter, const Sheets& sheets, const Sheet& sheet, Number number, const std::string& where) {
+/// @param broken  those that were left out because they do not compile
+Verdict judge(const Chapter& chapter, const Sheets& sheets, const Sheet& sheet, Number number, const std::string& where,
+              const std::vector<Number>& broken) {
     const auto& exercise = exercise_of(number);
     const exercises::Record reference = record_of(exercise.reference);
     const SheetAnswer answer = sheets.ask(sheet, number);
@@ -78,8 +80,9 @@ Verdict judge(const Chapter& chapter, const Sheets& sheets, const Sheet& sheet, 
     }
     if (answer.unanswered) {
         verdict.outcome = Outcome::blocked, verdict.name = "blocked by " + answer.unanswered->text();
+        const bool is_broken = std::find(broken.begin(), broken.end(), *answer.unanswered) != broken.end();
         verdict.words = folded("Your answer to " + number.text() + " calls " + exercise_of(*answer.unanswered).function + ", which is exercise " +
-                                   answer.unanswered->text() + " and not answered yet. Answer that one first.", 2);
+                                   answer.unanswered->text() + (is_broken ? " and does not compile. Mend that one first." : " and not answered yet. Answer that one first."), 2);
         return verdict;
     }
     if (answer.threw) {
@@ -192,9 +195,10 @@ std::vector<Verdict> check(const Rooms& rooms, const Chapter& chapter, const std
             if (std::find(compiled.begin(), compiled.end(), other) == compiled.end()) compiled.push_back(other);
     std::sort(compiled.begin(), compiled.end());
 
-    const Sheets sheets(rooms, chapter);
     bool one_state = false;
+    std::vector<Number> broken;     // left out by `isolate`
     while (!asked.empty()) {
+        const Sheets sheets(rooms, chapter, broken.empty() ? fs::path() : rooms.work / "overlay");
         Sheet sheet = sheets.compile(compiled, one_state);
         if (sheet.problem && sheet.problem->point_mass_only && !one_state) {
             one_state = true;
@@ -203,7 +207,7 @@ std::vector<Verdict> check(const Rooms& rooms, const Chapter& chapter, const std
         if (!sheet.problem) {
             std::map<Number, Verdict> seen;
             const std::function<const Verdict&(Number)> judged = [&](Number number) -> const Verdict& {
-                if (!seen.count(number)) seen[number] = judge(chapter, sheets, sheet, number, where(number));
+                if (!seen.count(number)) seen[number] = judge(chapter, sheets, sheet, number, where(number), broken);
                 return seen[number];
             };
             for (const Number number : asked) {
@@ -227,18 +231,26 @@ std::vector<Verdict> check(const Rooms& rooms, const Chapter& chapter, const std
         }
         const auto culprit = sheet.problem->number;
         const std::string words = compile_words(*sheet.problem);
+        const bool apart = isolate && culprit && own.of(chapter, *culprit).source.body(*culprit) &&
+                           std::find(broken.begin(), broken.end(), *culprit) == broken.end();
         for (const Number number : asked) {
             Verdict& verdict = verdicts[number];
             if (!culprit || *culprit == number || asked.size() == 1) {
                 verdict.outcome = Outcome::not_compiled;
                 verdict.name = culprit && *culprit != number ? culprit->text() + " does not compile" : "does not compile";
                 verdict.words = words;
-            } else {
-                verdict.outcome = Outcome::not_judged, verdict.name = "not judged: " + culprit->text() + " does not compile";
+            } else if (!apart) {
+                verdict.name = "not judged: " + culprit->text() + " does not compile";
             }
         }
-        (void)isolate;
-        break;
+        if (!apart) break;
+        broken.push_back(*culprit);
+        std::erase(asked, *culprit);
+        std::map<Number, std::string> bodies;
+        for (const Number number : broken) bodies[number] = unanswered(number) + "\n";
+        for (std::size_t i = 0; i < own.files.size(); ++i)
+            if (own.files[i].text)
+                write_text(rooms.work / "overlay" / chapter.headers[i].path, with_stand_ins(own.files[i].source, bodies, own.files[i].path.string()));
     }
 
     std::vector<Verdict> all;

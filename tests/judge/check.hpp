@@ -25,8 +25,8 @@ std::vector<Verdict> check(const Rooms& rooms, const Chapter& chapter, const std
 int verb_check(const Rooms& rooms, const std::string& which, const std::string& junit);
 /// ./course watch [N[.M]]: checks whenever a file of answers/ is saved, until it is interrupted.
 [[noreturn]] void verb_watch(const Rooms& rooms, const std::string& which);
-/// ./course run N --mine: the chapter's program on the learner's answers. @return its exit code
-int verb_mine(const Rooms& rooms, const std::string& which);
+/// ./course run N --mine: the chapter's program on the learner's answers, its results in `out`. @return its exit code
+int verb_mine(const Rooms& rooms, const std::string& which, const std::filesystem::path& out);
 
 /// The chapters meant by "", "1", "01_newton" or "1.3". @throws std::invalid_argument that says what there is
 std::vector<Chapter> meant(const Rooms& rooms, const std::string& which);

@@ -64,7 +64,7 @@ int act(const Arguments& arguments) {
     };
     if (verb == "check") return verb_check(rooms, arguments.which, option("--junit", ""));
     if (verb == "watch") verb_watch(rooms, arguments.which);
-    if (verb == "run" && !option("--mine", "").empty()) return begun(), verb_mine(rooms, arguments.which);
+    if (verb == "run" && !option("--mine", "").empty()) return begun(), verb_mine(rooms, arguments.which, option("--out", ""));
     if (verb == "start") std::cout << start(rooms);
     else if (verb == "hint") begun(), std::cout << hint(rooms, exercise());
     else if (verb == "solution") std::cout << solution(rooms, exercise(), !option("--give-up", "").empty());

@@ -112,6 +112,14 @@ std::string with_bodies(const Marked& source, const std::map<Number, std::string
     return all;
 }
 
+std::string with_stand_ins(const Marked& source, const std::map<Number, std::string>& bodies, const std::string& file) {
+    std::map<Number, std::string> lined;
+    for (const Body& body : source.bodies)
+        if (const auto found = bodies.find(body.number); found != bodies.end())
+            lined[body.number] = found->second + "#line " + std::to_string(body.end + 1) + " \"" + file + "\"\n";
+    return "#line 1 \"" + file + "\"\n" + with_bodies(source, lined);
+}
+
 std::string skeleton(std::string_view reference) {
     const Marked source = marked(reference);
     std::map<Number, std::string> bodies;

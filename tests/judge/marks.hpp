@@ -45,6 +45,8 @@ bool is_unanswered(const Body& body);
 
 /// The source with some bodies replaced. What is not in `bodies` stays.
 std::string with_bodies(const Marked& source, const std::map<Number, std::string>& bodies);
+/// The same, for a compiler: its messages name the lines of `file`, which holds the source as it was.
+std::string with_stand_ins(const Marked& source, const std::map<Number, std::string>& bodies, const std::string& file);
 /// The reference's source as a learner gets it.
 std::string skeleton(std::string_view reference);
 /// Everything from the start of the function's declaration to its opening brace, on one line.

@@ -92,6 +92,7 @@ Sheet Sheets::compile(const std::vector<Number>& numbers, bool one_state) const 
     if (numbers.size() != chapter_.exercises.size())
         for (const Number number : numbers) name += "_" + std::to_string(number.exercise);
     if (one_state) name += "_one_state";
+    if (!overlay_.empty()) name += "_overlay";
     const fs::path list = rooms_.work / ("sheet_" + name + ".hpp"), program = rooms_.work / ("sheet_" + name);
     std::string text;
     for (const Number number : numbers) text += "#include \"" + questions_file(rooms_, chapter_, number).string() + "\"\n";
@@ -100,6 +101,7 @@ Sheet Sheets::compile(const std::vector<Number>& numbers, bool one_state) const 
     auto words = compiler_words(rooms_);
     words.insert(words.end(), {"-include", precompiled(rooms_).string(), "-DNUTSHELL_EXERCISES=\"" + list.string() + "\""});
     if (one_state) words.emplace_back("-DNUTSHELL_ONE_STATE");
+    if (!overlay_.empty()) words.push_back("-I" + overlay_.string());
     words.push_back("-I" + (rooms_.answers / chapter_.folder).string());
     for (const Chapter& chapter : chapters_of(rooms_))
         if (chapter.number <= chapter_.number) words.push_back("-I" + (rooms_.course / "chapters" / chapter.folder).string());

@@ -37,7 +37,9 @@ struct SheetAnswer {
 /// The compiler, its flags and folders for one learner's chapter.
 class Sheets {
   public:
-    Sheets(const Rooms& rooms, const Chapter& chapter) : rooms_(rooms), chapter_(chapter) {}
+    /// @param overlay  a folder whose headers go before the learner's, if not empty
+    Sheets(const Rooms& rooms, const Chapter& chapter, const std::filesystem::path& overlay = {})
+        : rooms_(rooms), chapter_(chapter), overlay_(overlay) {}
 
     /// One program for these exercises; compiled only if something it was made from has changed.
     /// @param one_state  leaves out the questions about states of other types
@@ -55,6 +57,7 @@ class Sheets {
   private:
     Rooms rooms_;
     Chapter chapter_;
+    std::filesystem::path overlay_;
 };
 
 }  // namespace nutshell::judge

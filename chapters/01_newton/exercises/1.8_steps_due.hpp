@@ -11,9 +11,9 @@ struct StepsDue {
 
     template <class Answer>
     static void ask(Paper& paper, const Answer& answer) {
-        GameClock clock{.step = 0.01, .owed = 0.0037, .most_steps = 5};
+        GameClock clock{.step = 0.01, .owed = 0.0067, .most_steps = 5};
         // even frames, a short one, none, one far too long, and what comes after it
-        for (const double frame_time : {0.0163, 0.0171, 0.0172, 0.0038, 0.0, 0.0464, 0.1235, 0.0063, 0.0318}) {
+        for (const double frame_time : {0.0141, 0.0171, 0.0172, 0.0038, 0.0, 0.0464, 0.1235, 0.0063, 0.0318}) {
             paper.input("frame_time", frame_time, "clock.step", clock.step, "clock.owed", clock.owed, "clock.most_steps",
                         clock.most_steps);
             const int steps = answer(clock, frame_time);
