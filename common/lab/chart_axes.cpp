@@ -9,10 +9,12 @@ namespace {
 
 constexpr double room = 0.04;  // left free at each end of an automatic range, as a part of it
 
+constexpr double closest = 1e-9;  // ends of an axis are at least this far apart, relative to their size
+
 struct Extent {
     double least = INFINITY, most = -INFINITY;
     void take(double value, Scale scale) {
-        if (!std::isfinite(value) || (scale == Scale::logarithmic && value <= 0)) return;
+        if (!can_show(scale, value)) return;
         least = std::min(least, value), most = std::max(most, value);
     }
 };
@@ -28,9 +30,11 @@ double round_step(double least) {
 /// The caller's ends where given, else these.
 Range ends(const Chart& chart, const Axis& axis, double low, double high) {
     const Range range{std::isnan(axis.from) ? low : axis.from, std::isnan(axis.to) ? high : axis.to};
-    if (!(range.from < range.to))
-        refuse(chart, "has all its data on axis \"" + axis.name + "\" beyond the end that is set (" +
-                          spoken(range.from) + " to " + spoken(range.to) + "); set both ends or none");
+    const double size = std::max(std::abs(range.from), std::abs(range.to));
+    if (!(range.to - range.from > std::max(closest * size, 1e-290)))
+        refuse(chart, "has no room on axis \"" + axis.name + "\", which goes from " + spoken(range.from) +
+                          " to " + spoken(range.to) +
+                          ": all data lie beyond, or the ends are too close; set both ends or none");
     return range;
 }
 
@@ -44,12 +48,13 @@ Range finished(const Chart& chart, const Axis& axis, Extent extent, bool pad) {
                 "\" can show (finite, and positive on a logarithmic axis); give it data or set from and to");
     double low = extent.least, high = extent.most;
     if (axis.scale == Scale::logarithmic) {
-        if (low == high) low /= 3, high *= 3;
+        if (high - low <= closest * high) low /= 3, high *= 3;
         const double margin = pad ? std::pow(10, room * (std::log10(high) - std::log10(low))) : 1;
-        low = std::max(low / margin, 1e-307), high = std::min(high * margin, 1e307);
+        low = std::max(low / margin, 1e-302), high = std::min(high * margin, 1e302);
     } else {
-        if (low == high) {
-            const double some = low == 0 ? 1 : std::abs(low) / 2;
+        const double size = std::max(std::abs(low), std::abs(high));
+        if (high - low <= closest * size || size < 1e-290) {
+            const double some = size < 1e-290 ? 1 : size / 2;
             low -= some, high += some;
         }
         if (pad && !chart.equal_aspect) {
@@ -122,8 +127,13 @@ bool fits(const std::vector<Tick>& list, const Ruler& ruler, bool horizontal) {
 
 }  // namespace
 
+bool can_show(Scale scale, double value) {
+    return std::abs(value) <= 1e300 &&
+           (scale == Scale::linear || value >= 1e-300);  // false for what is not a number
+}
+
 bool Ruler::takes(double value) const {
-    return std::isfinite(value) && (scale == Scale::linear || value > 0);
+    return can_show(scale, value);
 }
 
 bool Ruler::shows(double value) const {

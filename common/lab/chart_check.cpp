@@ -19,15 +19,18 @@ void check_axis(const Chart& chart, const Axis& axis, const char* which) {
         if (std::isinf(end)) refuse_axis("ends at infinity; give a finite end, or leave it automatic");
         if (axis.scale == Scale::logarithmic && end <= 0)
             refuse_axis("is logarithmic and ends at " + spoken(end) + "; give an end above zero");
+        if (!std::isnan(end) && !can_show(axis.scale, end))
+            refuse_axis("ends at " + spoken(end) + ", beyond 1e300 or below 1e-300");
     }
     if (axis.from >= axis.to)
         refuse_axis("goes from " + spoken(axis.from) + " to " + spoken(axis.to) + "; give from < to");
 }
 
 void check_level(const Chart& chart, const Axis& axis, double value, const std::string& what) {
-    if (!std::isfinite(value) || (axis.scale == Scale::logarithmic && value <= 0))
-        refuse(chart, what + " is " + spoken(value) + ", which axis \"" + axis.name +
-                          "\" cannot show; give a finite value, above zero on a logarithmic axis");
+    if (!can_show(axis.scale, value))
+        refuse(chart,
+               what + " is " + spoken(value) + ", which axis \"" + axis.name +
+                   "\" cannot show; give a finite value within 1e300, above zero on a logarithmic axis");
 }
 
 void check_region(const Chart& chart, const Region& region) {

@@ -43,12 +43,16 @@ struct Range {
     double from = 0, to = 1;
 };
 
+/// True for what an axis of this scale can show: finite, positive if logarithmic, within 1e300 so that no sum
+/// overflows.
+bool can_show(Scale scale, double value);
+
 /// Takes a value to its place: a linear or logarithmic scale whose `from` lies at `low` and `to` at `high`.
 struct Ruler {
     Scale scale = Scale::linear;
     Range range;
     double low = 0, high = 1;
-    bool takes(double value) const;  ///< finite, and positive if logarithmic
+    bool takes(double value) const;  ///< can_show on its scale
     bool shows(double value) const;  ///< and between the ends
     double operator()(double value) const;
 };

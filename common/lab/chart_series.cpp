@@ -11,9 +11,8 @@ constexpr std::size_t most_marked = 40;  // above this a series is a line withou
 constexpr double fine = 0.15;            // how far a drawn line may lie from its points
 
 Side side_of(const Chart& chart, const Frame& frame, double x, double y) {
-    const bool below_logarithm = frame.y.scale == Scale::logarithmic && y <= 0;
     if (!std::isfinite(y)) return y < 0 ? Side::bottom : Side::top;
-    if (below_logarithm) return Side::bottom;
+    if (frame.y.scale == Scale::logarithmic && y <= 0) return Side::bottom;
     if (!frame.x.takes(x)) return x > 0 ? Side::right : Side::left;
     if (!frame.x.shows(x) && !chart.equal_aspect) return Side::beyond;
     if (!frame.y.shows(y)) return y > frame.y.range.to ? Side::top : Side::bottom;

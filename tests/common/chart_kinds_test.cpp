@@ -184,7 +184,8 @@ TEST_CASE("a chart that cannot be drawn is refused with what, where and what to 
     refused([=](Chart& c) { c.y.to = infinity; }, "axis y ends at infinity");
     refused([](Chart& c) { c.x.from = 2, c.x.to = 1; }, "axis x goes from 2 to 1");
     refused([](Chart& c) { c.y.from = 1, c.y.to = 1; }, "axis y goes from 1 to 1");
-    refused([](Chart& c) { c.y.from = 10; }, "beyond the end that is set (10 to 10)");
+    refused([](Chart& c) { c.y.from = 10; }, "has no room on axis \"y\", which goes from 10 to 10");
+    refused([](Chart& c) { c.y.from = -1e301; }, "beyond 1e300");
     refused(
         [](Chart& c) {
             c.y.scale = Scale::logarithmic, c.tolerance = Level{0, "none"};
@@ -221,4 +222,60 @@ TEST_CASE("a chart is written whole or not at all, under an id from its file's n
     CHECK_THROWS_AS(write_svg(bad, folder / "bad.svg"), std::invalid_argument);
     CHECK_FALSE(std::filesystem::exists(folder / "bad.svg"));
     std::filesystem::remove_all(folder);
+}
+
+TEST_CASE("no data make a drawing with a place that is no number") {
+    const std::vector<double> strange{
+        0,       1,         -1,           1e-300,
+        5e-324,  -5e-324,   1e300,        -1e300,
+        1.7e308, 1 + 1e-15, 1e-15,        123456,
+        1e15,    1e15 + 1,  std::nan(""), std::numeric_limits<double>::infinity()};
+    for (const Scale scale : {Scale::linear, Scale::logarithmic})
+        for (const double a : strange)
+            for (const double b : strange) {
+                INFO(a << ", " << b);
+                Chart c;
+                c.title = "Strange";
+                c.x = c.y = {"value", scale};
+                c.series = {{"Euler", {a, b}, {b, a}}};
+                try {
+                    for (const Element& e : read_svg(svg(c)))
+                        for (const char* place : {"d", "x", "y", "x1", "y1", "x2", "y2", "transform"}) {
+                            const auto found = e.attributes.find(place);
+                            if (found == e.attributes.end()) continue;
+                            REQUIRE(found->second.find("nan") == std::string::npos);
+                            REQUIRE(found->second.find("inf") == std::string::npos);
+                        }
+                } catch (const std::invalid_argument& refusal) {
+                    CHECK_THAT(refusal.what(), ContainsSubstring("can show"));
+                }
+            }
+}
+
+TEST_CASE("no data make a drawing with a place that is no number") {
+    const std::vector<double> strange{
+        0,       1,         -1,           1e-300,
+        5e-324,  -5e-324,   1e300,        -1e300,
+        1.7e308, 1 + 1e-15, 1e-15,        123456,
+        1e15,    1e15 + 1,  std::nan(""), std::numeric_limits<double>::infinity()};
+    for (const Scale scale : {Scale::linear, Scale::logarithmic})
+        for (const double a : strange)
+            for (const double b : strange) {
+                INFO(a << ", " << b);
+                Chart c;
+                c.title = "Strange";
+                c.x = c.y = {"value", scale};
+                c.series = {{"Euler", {a, b}, {b, a}}};
+                try {
+                    for (const Element& e : read_svg(svg(c)))
+                        for (const char* place : {"d", "x", "y", "x1", "y1", "x2", "y2", "transform"}) {
+                            const auto found = e.attributes.find(place);
+                            if (found == e.attributes.end()) continue;
+                            REQUIRE(found->second.find("nan") == std::string::npos);
+                            REQUIRE(found->second.find("inf") == std::string::npos);
+                        }
+                } catch (const std::invalid_argument& refusal) {
+                    CHECK_THAT(refusal.what(), ContainsSubstring("can show"));
+                }
+            }
 }
