@@ -31,7 +31,8 @@ double round_step(double least) {
 Range ends(const Chart& chart, const Axis& axis, double low, double high) {
     const Range range{std::isnan(axis.from) ? low : axis.from, std::isnan(axis.to) ? high : axis.to};
     const double size = std::max(std::abs(range.from), std::abs(range.to));
-    if (!(range.to - range.from > std::max(closest * size, 1e-290)))
+    const double least = axis.scale == Scale::linear ? std::max(closest * size, 1e-290) : closest * size;
+    if (!(range.to - range.from > least))
         refuse(chart, "has no room on axis \"" + axis.name + "\", which goes from " + spoken(range.from) +
                           " to " + spoken(range.to) +
                           ": all data lie beyond, or the ends are too close; set both ends or none");
