@@ -3,6 +3,7 @@
 #include <nutshell/lab/study.hpp>
 #include <nutshell/newton.hpp>
 #include <nutshell/newton_scenes.hpp>
+#include <unistd.h>
 #include <fstream>
 #include "check.hpp"
 

@@ -1,6 +1,7 @@
 // The learner's folder and the verbs, tried through the program itself.
 #include <csignal>
 #include <sys/wait.h>
+#include <unistd.h>
 #include <chrono>
 #include <fstream>
 #include <thread>
