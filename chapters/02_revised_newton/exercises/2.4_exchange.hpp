@@ -77,6 +77,7 @@ inline Exercise ExchangeMass::about() {
                   "The exchanged mass moves at the body's velocity plus w. Body and exchanged mass together must keep their momentum.",
                   "Find the exchanged mass's velocity while the body still has its old mass; dm times it is what the momentum gains. "
                   "For a loss dm is negative, and so is the gain. Then change the mass."},
+        .picture = "cart.png",
         .mistakes =
             {{"the mass changes, the momentum does not", "E05",
               "The leaky cart speeds up by itself: 20 m/s when half the mass has left.",

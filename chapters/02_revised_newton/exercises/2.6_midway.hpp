@@ -66,6 +66,7 @@ inline Exercise Midway::about() {
                   "Momentum before equals momentum after: solve for c.",
                   "c is w dm over the mean of the masses before and after. What the function returns is w plus half of c: "
                   "bring it over one fraction line."},
+        .picture = "rocket.svg",
         .mistakes =
             {{"measured from the speed before", "classic: first order", "A rocket of few parcels is too fast: 6 % with fifteen of them.",
               "You return w as it is: that is the parcel measured from the velocity before. The mean has moved on by half the change.",

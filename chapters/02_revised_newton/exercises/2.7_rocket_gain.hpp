@@ -65,6 +65,7 @@ inline Exercise RocketGain::about() {
         .hints = {"Each small parcel adds u times its share of the mass that is there at that moment. What is the sum of all those shares?",
                   "The sum of dm/m, from the mass after to the mass before, is an integral you have met in school.",
                   "The integral of dm/m is the natural logarithm; from m to m0 it is that of their ratio. In C++ it is std::log."},
+        .picture = "rocket_gain.svg",
         .mistakes =
             {{"the logarithm to base ten", "classic: log is not log10", "The rocket reaches less than half of its speed.",
               "You use the logarithm to base ten. The integral of dm/m is the natural one, std::log.",
