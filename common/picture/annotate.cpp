@@ -36,7 +36,7 @@ std::vector<Taken> covered(const Drawing& drawing, const Camera& camera, Size si
 }  // namespace
 
 void write_words(Image& image, const Drawing& drawing, const Camera& camera, Size size) {
-    const double scale = std::max(0.6, size.width / 960.0);  // half pictures keep their letters readable
+    const double scale = std::max(0.75, size.width / 960.0);  // half pictures keep their letters readable
     const double title_height = 27 * scale, caption_height = 19 * scale, label_height = 22 * scale,
                  edge = 20 * scale;
     const Colour quiet = mix(palette::ink, palette::paper, 0.25F);

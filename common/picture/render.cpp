@@ -148,10 +148,11 @@ class Painter {
     /// Nearest and farthest depth that matter: things, and the ground as far as it can be told from the sky.
     Projection fit_depths() const {
         double nearest = std::numeric_limits<double>::infinity(), farthest = 0;
-        for (const Piece& piece : pieces_.all()) {
-            const double depth = -view_.back.dot(piece.extent.centre - eye_);
-            nearest = std::min(nearest, depth - piece.extent.radius);
-            farthest = std::max(farthest, depth + piece.extent.radius);
+        for (const Extent& extent : drawing_.extents()) {
+            const double depth = -view_.back.dot(frame_(extent.centre) - eye_),
+                         radius = extent.radius / frame_.unit;
+            nearest = std::min(nearest, depth - radius);
+            farthest = std::max(farthest, depth + radius);
         }
         const double focus = eye_.norm();
         farthest = std::max(farthest, focus + 1);

@@ -181,7 +181,9 @@ void draw_anchored(Image& image, const std::vector<AnchoredWords>& all, double h
                  ++turn) {  // the preferred side first, then by turns left and right of it
                 const double angle = preferred + (turn % 2 ? 1 : -1) * ((turn + 1) / 2) * 0.785398;
                 const double away = height * (0.55 + 0.8 * ring), c = std::cos(angle), s = std::sin(angle);
-                const double cx = words.x + c * (away + width / 2), cy = words.y + s * (away + rise / 2);
+                const double side = std::clamp(1.42 * c, -1.0, 1.0), level = std::clamp(1.42 * s, -1.0, 1.0);
+                const double cx = words.x + c * away + side * width / 2,
+                             cy = words.y + s * away + level * rise / 2;
                 const double left =
                     std::clamp(cx - width / 2, edge, std::max(edge, image.width - width - edge));
                 const double top =
@@ -198,7 +200,7 @@ void draw_anchored(Image& image, const std::vector<AnchoredWords>& all, double h
             }
         }
         draw_text(image, best.left, best.bottom, words.text, height, Weight::bold, words.ink);
-        const double air = 0.15 * height;
+        const double air = 0.3 * height;  // more than a halo
         taken.push_back({best.left - air, best.top - air, best.right + air, best.bottom + air, 5});
     }
 }
