@@ -7,7 +7,11 @@
 
 // The same source twice more: this file is compiled for every machine, at -O2; the second copy is allowed AVX2.
 // (Everything it includes has been included above, outside the namespaces.)
+#define SHARED using ::nutshell::wide::Axes, ::nutshell::wide::ConstAxes, ::nutshell::wide::Medium, ::nutshell::wide::most_step
 #define NUTSHELL_WIDE
+namespace without_avx2::nutshell::wide {
+SHARED;
+}
 namespace without_avx2 {
 #include "../../chapters/03_forces/kernels/wide.cpp"
 }
@@ -15,6 +19,9 @@ namespace without_avx2 {
 #undef INDEPENDENT
 #if defined(__x86_64__) || defined(__i386__)
 #define NUTSHELL_WIDE __attribute__((target("avx2")))
+namespace with_avx2::nutshell::wide {
+SHARED;
+}
 namespace with_avx2 {
 #include "../../chapters/03_forces/kernels/wide.cpp"
 }
@@ -57,23 +64,21 @@ bool same_bits(const Particles& a, const Particles& b) {
 const wide::Medium medium{0.3, -9.81, 0.2, 0.7};
 constexpr double dt = 0.01;
 
-// Runs every loop once; W is one of the three copies. Its Axes are the same pointers under another name.
+// Runs every loop once; W is one of the three copies.
 #define EVERY_LOOP(W, heap)                                                                                             \
     [](Heap h) {                                                                                                        \
-        const std::size_t n = h.all.size();                                                                             \
-        const auto axes = [](Vector3Array& a) { return W::Axes{a.x.data(), a.y.data(), a.z.data()}; };                  \
-        const W::Axes x = axes(h.all.position), v = axes(h.all.velocity), f = axes(h.forces), a = axes(h.anchors);      \
+        const std::size_t N = h.all.size();                                                                             \
+        const wide::Axes x = h.all.position.axes(), v = h.all.velocity.axes(), f = h.forces.axes(), a = h.anchors.axes(); \
         const double* m = h.all.mass.data();                                                                            \
-        const W::Medium w{medium.gx, medium.gy, medium.gz, medium.drag};                                                \
-        W::weight_and_drag(n, f, v, m, w);                                                                              \
-        W::anchored_springs(n, f, x, a, 30);                                                                            \
-        W::springs_in_row(n, 1, x, f, 0.5, 40);                                                                         \
-        W::springs_in_row(n, 2, x, f, 1.5, 40);                                                                         \
-        W::springs_between(n / 2, x, x.from(n - n / 2), f, f.from(n - n / 2), 0.7, 20);                                 \
-        W::kick(n, v, f, m, dt);                                                                                        \
-        W::drift(n, x, v, dt);                                                                                          \
-        W::anchored_step(n, x, v, m, a, 30, w, dt);                                                                     \
-        W::chain_step(n, x, v, m, 0.5, 40, w, true, false, dt);                                                         \
+        W::weight_and_drag(N, f, v, m, medium);                                                                              \
+        W::anchored_springs(N, f, x, a, 30);                                                                            \
+        W::springs_in_row(N, 1, x, f, 0.5, 40);                                                                         \
+        W::springs_in_row(N, 2, x, f, 1.5, 40);                                                                         \
+        W::springs_between(N / 2, x, x.from(N - N / 2), f, f.from(N - N / 2), 0.7, 20);                                 \
+        W::kick(N, v, f, m, dt);                                                                                        \
+        W::drift(N, x, v, dt);                                                                                          \
+        W::anchored_step(N, x, v, m, a, 30, medium, dt);                                                                     \
+        W::chain_step(N, x, v, m, 0.5, 40, medium, true, false, dt);                                                         \
         return h.numbers();                                                                                             \
     }(heap)
 

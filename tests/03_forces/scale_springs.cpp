@@ -31,7 +31,7 @@ double largest_difference(const Vector3Array& a, const Vector3Array& b) {
     return largest;
 }
 
-const double nan = std::numeric_limits<double>::quiet_NaN();
+const double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
 
@@ -150,10 +150,10 @@ TEST_CASE("Springs that cannot be simulated are refused at the door, with their 
     refuses({{{0, 1, good}, {1, 1, good}}}, "spring 1 joins particle 1 to itself");
     refuses({{{0, 3, good}}}, "there are only 3");
     refuses({{{0, 1, {-1, 1}}}}, "stiffness");
-    refuses({{{0, 1, {nan, 1}}}}, "stiffness");
+    refuses({{{0, 1, {not_a_number, 1}}}}, "stiffness");
     refuses({{{0, 1, {1, -1}}}}, "rest length");
     refuses({{}, {{3, Vector3::Zero(), good}}}, "anchor 0");
-    refuses({{}, {{0, {nan, 0, 0}, good}}}, "anchor");
+    refuses({{}, {{0, {not_a_number, 0, 0}, good}}}, "anchor");
 }
 
 TEST_CASE("Grids, chains and cloths that cannot be simulated are refused at the door") {
@@ -170,7 +170,7 @@ TEST_CASE("Grids, chains and cloths that cannot be simulated are refused at the 
     CHECK_THROWS_AS(chain(0, 1, good, {0, 0, 0}, {1, 0, 0}), std::invalid_argument);
     CHECK_THROWS_AS(chain(3, 0, good, {0, 0, 0}, {1, 0, 0}), std::invalid_argument);
     CHECK_THROWS_AS(chain(3, 1, {-1, 1}, {0, 0, 0}, {1, 0, 0}), std::invalid_argument);
-    CHECK_THROWS_AS(chain(3, 1, good, {nan, 0, 0}, {1, 0, 0}), std::invalid_argument);
+    CHECK_THROWS_AS(chain(3, 1, good, {not_a_number, 0, 0}, {1, 0, 0}), std::invalid_argument);
     CHECK_THROWS_AS(cloth(1, 1, 1, 1, Weave::structural), std::invalid_argument);
     CHECK_THROWS_AS(cloth(3, 0, 1, 1, Weave::structural), std::invalid_argument);
     CHECK_THROWS_AS(cloth(3, 1, -1, 1, Weave::structural), std::invalid_argument);

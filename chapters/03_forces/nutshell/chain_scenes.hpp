@@ -16,7 +16,7 @@ struct AnchoredParticles {
     double drag = 0.5;                 ///< gamma [kg/s]
     double g = earth_gravity;          ///< [m/s^2], downwards
     double duration = 2;               ///< [s]
-    mutable Vector3Array forces = {};  ///< room for the sum; one scene must not be stepped by two threads at once
+    mutable Vector3Array forces{};     ///< room for the sum; one scene must not be stepped by two threads at once
 
     ForceArrays operator()(const Particles& all, double) const {
         forces.resize(all.size());
@@ -51,7 +51,7 @@ struct SpringNet {
     double drag = 0;                   ///< gamma [kg/s]
     double g = earth_gravity;          ///< [m/s^2], downwards
     double duration = 10;              ///< [s]
-    mutable Vector3Array forces = {};  ///< room for the sum; one scene must not be stepped by two threads at once
+    mutable Vector3Array forces{};     ///< room for the sum; one scene must not be stepped by two threads at once
 
     ForceArrays operator()(const Particles& all, double) const {
         forces.resize(all.size());

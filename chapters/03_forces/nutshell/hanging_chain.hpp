@@ -25,10 +25,11 @@ struct EndTension {
     double horizontal, vertical;
 };
 
-/// Where the far end comes to lie [m] for a tension at the near end, and how that changes with the tension [m/N].
+/// Where the far end comes to lie for a tension at the near end.
 struct Reach {
-    Vector2 end;
-    Matrix2 change;
+    Vector2 end;         ///< [m]
+    Matrix2 change;      ///< of `end` with H and V [m/N]
+    double energy;       ///< complementary energy [J]: grows with H by end.x, with V by -end.y
 };
 
 // [link]
@@ -42,12 +43,13 @@ inline Vector2 hanging_link(const Spring& link, const EndTension& tension) {
 // [reach]
 /// Goes along the chain, link by link: each carries one weight less than the one before. Eq. (3.r).
 inline Reach reach(const HangingChain& chain, const EndTension& near) {
-    Reach sum{Vector2::Zero(), Matrix2::Zero()};
+    Reach sum{Vector2::Zero(), Matrix2::Zero(), 0};
     EndTension tension = near;
     for (std::size_t i = 0; i <= chain.masses; ++i) {
         tension.vertical = near.vertical - static_cast<double>(i) * chain.mass * chain.g;
         const double H = tension.horizontal, V = tension.vertical, T = std::hypot(H, V);
         const double stiff = chain.link.rest_length / (T * T * T), soft = chain.link.rest_length / T + 1 / chain.link.stiffness;
+        sum.energy += chain.link.rest_length * T + T * T / (2 * chain.link.stiffness);
         sum.end += hanging_link(chain.link, tension);
         sum.change += Matrix2{{soft - stiff * H * H, -stiff * H * V}, {stiff * H * V, -soft + stiff * V * V}};
     }
@@ -56,26 +58,27 @@ inline Reach reach(const HangingChain& chain, const EndTension& near) {
 // [/reach]
 
 // [end_tension]
-/// The tension at the near end that makes the chain reach its far end: two equations in two unknowns, by Newton's method
-/// with halved steps where a whole one would not come closer. (The unknowns make the complementary energy least, which
-/// has one minimum only.) For ends at the same height V is half the weight and one equation in H is left.
-/// @param reach_of  gives a Reach for an EndTension
+/// The tension at the near end that makes the chain reach its far end: two equations in two unknowns by Newton's method.
+/// The same tension makes the complementary energy less (H end.x - V end.y) least; it has one minimum only, so a step is
+/// halved until it goes down, and the method arrives from anywhere. (Between level ends V is half the weight, and one
+/// equation in H is left.)      @param reach_of  gives a Reach for an EndTension
 template <class ReachOf>
 EndTension end_tension(const ReachOf& reach_of, const Vector2& end, EndTension tension) {
-    double miss = (reach_of(tension).end - end).norm();
+    const auto height = [&](const EndTension& at) { return reach_of(at).energy - at.horizontal * end.x() + at.vertical * end.y(); };
     for (int turn = 0; turn < 200; ++turn) {
         const Reach now = reach_of(tension);
         const Vector2 step = now.change.inverse() * (end - now.end);
+        const auto after = [&](double part) {
+            return EndTension{tension.horizontal + part * step.x(), tension.vertical + part * step.y()};
+        };
+        const auto better = [&](const EndTension& next) {   // near the bottom the energies are equal: then the end decides
+            if (next.horizontal < tension.horizontal / 10) return false;   // H stays positive
+            return height(next) < height(tension) || (reach_of(next).end - end).norm() < (now.end - end).norm() / 2;
+        };
         double part = 1;
-        for (; part > 1e-12; part /= 2) {
-            const EndTension next{tension.horizontal + part * step.x(), tension.vertical + part * step.y()};
-            if (next.horizontal <= 0) continue;
-            const double next_miss = (reach_of(next).end - end).norm();
-            if (next_miss >= miss) continue;
-            tension = next, miss = next_miss;
-            break;
-        }
-        if (part <= 1e-12) break;   // no step comes closer: round-off is reached
+        while (part > 1e-12 && !better(after(part))) part /= 2;
+        if (part <= 1e-12) break;   // nothing is better: this is the minimum, to round-off
+        tension = after(part);
     }
     return tension;
 }
@@ -92,11 +95,16 @@ inline void check_hanging(const HangingChain& chain) {
     require_finite(chain.end, "the far end [m]");
 }
 
-/// The exact tension at the near end of a chain of masses and springs. @throws std::invalid_argument, see check_hanging
+/// The exact tension at the near end of a chain of masses and springs. @throws std::invalid_argument, see check_hanging,
+/// or if the ends are so close that some link would have to push (a chain then folds in more than one way)
 inline EndTension end_tension(const HangingChain& chain) {
     check_hanging(chain);
     const double weight = static_cast<double>(chain.masses) * chain.mass * chain.g;
-    return end_tension([&](const EndTension& tension) { return reach(chain, tension); }, chain.end, {weight, weight / 2});
+    const auto reach_of = [&](const EndTension& tension) { return reach(chain, tension); };
+    const EndTension tension = end_tension(reach_of, chain.end, {weight, weight / 2});
+    require((reach_of(tension).end - chain.end).norm() < 1e-9 * (chain.end.norm() + chain.link.rest_length),
+            "the ends of the chain are too close together for every link to pull: move them apart, or use shorter links");
+    return tension;
 }
 
 /// The exact rest shape: all N + 2 points, the two ends included. Accurate to round-off (the test puts a chain there and
@@ -150,8 +158,10 @@ inline Reach reach(const Cord& cord, const EndTension& near) {
     const double H = near.horizontal, V = near.vertical, w = cord.weight, E = cord.length / cord.stiffness;
     const double U = V - w * cord.length, T = std::hypot(H, V), S = std::hypot(H, U);
     const double angles = std::asinh(V / H) - std::asinh(U / H);
+    const double stretch = (H * H * (V - U) + (V * V * V - U * U * U) / 3) / (2 * w * cord.stiffness);
     return {cord_point(cord, near, cord.length),
-            Matrix2{{E + (angles - V / T + U / S) / w, (H / T - H / S) / w}, {-(H / T - H / S) / w, -E - (V / T - U / S) / w}}};
+            Matrix2{{E + (angles - V / T + U / S) / w, (H / T - H / S) / w}, {-(H / T - H / S) / w, -E - (V / T - U / S) / w}},
+            (V * T - U * S + H * H * angles) / (2 * w) + stretch};
 }
 
 /// The cord's tension at its near end. @throws std::invalid_argument if the far end is not to the right

@@ -1,0 +1,61 @@
+// A step allocates nothing: every request for memory in this program is counted while the methods run.
+#include "check.hpp"
+#include <nutshell/chain_scenes.hpp>
+#include <nutshell/lab/run.hpp>
+#include <cstdlib>
+#include <new>
+
+namespace {
+long allocations = 0;
+}
+
+[[gnu::noinline]] void* operator new(std::size_t size) {
+    ++allocations;
+    if (void* memory = std::malloc(size ? size : 1)) return memory;
+    throw std::bad_alloc();
+}
+[[gnu::noinline]] void operator delete(void* memory) noexcept {
+    std::free(memory);
+}
+[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept {
+    std::free(memory);
+}
+
+using namespace nutshell;
+
+namespace {
+
+/// Requests for memory in 100 steps, after a first one that may make the scene's room for forces.
+template <class Scene, class Method>
+long allocations_of(const Scene& scene, Method method) {
+    auto state = method(scene.start, scene, 0.0, 1e-3);
+    const long before = allocations;
+    for (int n = 1; n <= 100; ++n) state = method(std::move(state), scene, n * 1e-3, 1e-3);
+    lab::keep(state.position.x[0]);
+    return allocations - before;
+}
+
+template <class Scene>
+void check_methods(const Scene& scene) {
+    CHECK(allocations_of(scene, [](auto s, const auto& f, double t, double dt) { return euler(std::move(s), f, t, dt); }) == 0);
+    CHECK(allocations_of(scene, [](auto s, const auto& f, double t, double dt) { return semi_implicit_euler(std::move(s), f, t, dt); }) == 0);
+    CHECK(allocations_of(scene, [](auto s, const auto& f, double t, double dt) { return verlet(std::move(s), f, t, dt); }) == 0);
+    CHECK(allocations_of(scene, VerletFsal<ForceArrays>{}) == 0);
+    CHECK(allocations_of(scene, [](auto s, const auto& f, double t, double dt) { return one_pass(std::move(s), f, t, dt); }) == 0);
+}
+
+}  // namespace
+
+TEST_CASE("The count counts") {
+    const long before = allocations;
+    const Particles some(10);
+    CHECK(allocations - before == 7);   // mass, three of position, three of velocity
+}
+
+TEST_CASE("A step of many particles allocates nothing, with any method of chapter 1 and in one pass") {
+    check_methods(anchored_particles(1000));
+    check_methods(chain(500, 0.1, {100, 0.1}, {0, 0, 0}, {50, 0, 0}));
+    SpringNet net = cloth(20, 1, 1, 50, Weave::with_shear_and_bend);
+    net.held = {0, 19};
+    check_methods(net);
+}
