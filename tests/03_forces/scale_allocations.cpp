@@ -1,9 +1,9 @@
 // A step allocates nothing: every request for memory in this program is counted while the methods run.
-#include "check.hpp"
-#include <nutshell/chain_scenes.hpp>
-#include <nutshell/lab/run.hpp>
 #include <cstdlib>
 #include <new>
+#include <nutshell/chain_scenes.hpp>
+#include <nutshell/lab/run.hpp>
+#include "check.hpp"
 
 namespace {
 long allocations = 0;
@@ -37,11 +37,19 @@ long allocations_of(const Scene& scene, Method method) {
 
 template <class Scene>
 void check_methods(const Scene& scene) {
-    CHECK(allocations_of(scene, [](auto s, const auto& f, double t, double dt) { return euler(std::move(s), f, t, dt); }) == 0);
-    CHECK(allocations_of(scene, [](auto s, const auto& f, double t, double dt) { return semi_implicit_euler(std::move(s), f, t, dt); }) == 0);
-    CHECK(allocations_of(scene, [](auto s, const auto& f, double t, double dt) { return verlet(std::move(s), f, t, dt); }) == 0);
+    CHECK(allocations_of(scene, [](auto s, const auto& f, double t, double dt) {
+              return euler(std::move(s), f, t, dt);
+          }) == 0);
+    CHECK(allocations_of(scene, [](auto s, const auto& f, double t, double dt) {
+              return semi_implicit_euler(std::move(s), f, t, dt);
+          }) == 0);
+    CHECK(allocations_of(scene, [](auto s, const auto& f, double t, double dt) {
+              return verlet(std::move(s), f, t, dt);
+          }) == 0);
     CHECK(allocations_of(scene, VerletFsal<ForceArrays>{}) == 0);
-    CHECK(allocations_of(scene, [](auto s, const auto& f, double t, double dt) { return one_pass(std::move(s), f, t, dt); }) == 0);
+    CHECK(allocations_of(scene, [](auto s, const auto& f, double t, double dt) {
+              return one_pass(std::move(s), f, t, dt);
+          }) == 0);
 }
 
 }  // namespace
@@ -49,7 +57,7 @@ void check_methods(const Scene& scene) {
 TEST_CASE("The count counts") {
     const long before = allocations;
     const Particles some(10);
-    CHECK(allocations - before == 7);   // mass, three of position, three of velocity
+    CHECK(allocations - before == 7);  // mass, three of position, three of velocity
 }
 
 TEST_CASE("A step of many particles allocates nothing, with any method of chapter 1 and in one pass") {

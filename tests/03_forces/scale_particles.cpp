@@ -1,8 +1,9 @@
-// Particles are point masses: many at once do what each does alone, and the door refuses what cannot be simulated.
-#include "check.hpp"
+// Particles are point masses: many at once do what each does alone, and the door refuses what cannot be
+// simulated.
+#include <limits>
 #include <nutshell/chain_scenes.hpp>
 #include <nutshell/lab/run.hpp>
-#include <limits>
+#include "check.hpp"
 
 using namespace nutshell;
 
@@ -19,19 +20,25 @@ struct OneAnchored {
     }
 };
 
-auto euler_step = [](auto state, const auto& forces, double t, double dt) { return euler(std::move(state), forces, t, dt); };
+auto euler_step = [](auto state, const auto& forces, double t, double dt) {
+    return euler(std::move(state), forces, t, dt);
+};
 auto semi_implicit_step = [](auto state, const auto& forces, double t, double dt) {
     return semi_implicit_euler(std::move(state), forces, t, dt);
 };
-auto verlet_step = [](auto state, const auto& forces, double t, double dt) { return verlet(std::move(state), forces, t, dt); };
+auto verlet_step = [](auto state, const auto& forces, double t, double dt) {
+    return verlet(std::move(state), forces, t, dt);
+};
 
 template <class Method>
 double farthest_from_alone(AnchoredParticles scene, const Method& method, long steps) {
-    for (std::size_t i = 0; i < scene.start.size(); ++i) scene.start.mass[i] = 0.5 + 0.1 * static_cast<double>(i);
+    for (std::size_t i = 0; i < scene.start.size(); ++i)
+        scene.start.mass[i] = 0.5 + 0.1 * static_cast<double>(i);
     const Particles all = lab::run(scene, method, steps);
     double farthest = 0;
     for (std::size_t i = 0; i < all.size(); ++i) {
-        const OneAnchored alone{scene.start[i], scene.anchors[i], scene.stiffness, scene.drag, scene.g, scene.duration};
+        const OneAnchored alone{scene.start[i], scene.anchors[i], scene.stiffness,
+                                scene.drag,     scene.g,          scene.duration};
         farthest = std::max(farthest, (lab::run(alone, method, steps).position - all.position[i]).norm());
     }
     return farthest;
@@ -40,7 +47,7 @@ double farthest_from_alone(AnchoredParticles scene, const Method& method, long s
 }  // namespace
 
 TEST_CASE("Many particles at once move as each moves alone, to round-off, with every method of chapter 1") {
-    const AnchoredParticles scene = anchored_particles(37);   // not a multiple of any vector's width
+    const AnchoredParticles scene = anchored_particles(37);  // not a multiple of any vector's width
     CHECK(farthest_from_alone(scene, euler_step, 400) < 1e-13);
     CHECK(farthest_from_alone(scene, semi_implicit_step, 400) < 1e-13);
     CHECK(farthest_from_alone(scene, verlet_step, 400) < 1e-13);
@@ -64,7 +71,8 @@ TEST_CASE("Particles as one list of numbers: there and back, and the rate is vel
     const Vector y = rate(scene.start, scene(scene.start, 0));
     for (int i = 0; i < 5; ++i) {
         const PointMass body = scene.start[static_cast<std::size_t>(i)];
-        const OneAnchored alone{body, scene.anchors[static_cast<std::size_t>(i)], scene.stiffness, scene.drag, scene.g, 1};
+        const OneAnchored alone{
+            body, scene.anchors[static_cast<std::size_t>(i)], scene.stiffness, scene.drag, scene.g, 1};
         CHECK((y.segment<3>(3 * i) - body.velocity).norm() == 0);
         CHECK((y.segment<3>(15 + 3 * i) - alone(body, 0) / body.mass).norm() < 1e-12);
     }

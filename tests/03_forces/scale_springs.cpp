@@ -1,10 +1,10 @@
-// Springs: the list, the grid's wide loops and the formula agree; forces are opposite, follow the energy, and stay
-// finite where ends meet; the door refuses the rest.
-#include "check.hpp"
+// Springs: the list, the grid's wide loops and the formula agree; forces are opposite, follow the energy, and
+// stay finite where ends meet; the door refuses the rest.
+#include <limits>
 #include <nutshell/chain_scenes.hpp>
 #include <nutshell/lab/run.hpp>
-#include <limits>
 #include <random>
+#include "check.hpp"
 
 using namespace nutshell;
 
@@ -15,7 +15,8 @@ SpringNet crumpled(std::size_t n, Weave weave, double by = 0.3) {
     SpringNet net = cloth(n, 1, 1, 50, weave);
     std::mt19937 random(7);
     for (auto* axis : {&net.start.position.x, &net.start.position.y, &net.start.position.z})
-        for (double& value : *axis) value += by / static_cast<double>(n) * (static_cast<double>(random()) / 4294967296.0 - 0.5);
+        for (double& value : *axis)
+            value += by / static_cast<double>(n) * (static_cast<double>(random()) / 4294967296.0 - 0.5);
     return net;
 }
 
@@ -41,7 +42,8 @@ TEST_CASE("The grid's wide loops give the forces of the list of springs, to roun
     const SpringNet net = crumpled(n, weave);
     Vector3Array by_list(net.start.size());
     add_forces(list_of(net.springs), net.start, by_list);
-    CHECK(largest_difference(by_list, spring_forces(net)) < 50 * 1e-15 * 20);   // stiffness, round-off, springs at a particle
+    CHECK(largest_difference(by_list, spring_forces(net)) <
+          50 * 1e-15 * 20);  // stiffness, round-off, springs at a particle
 }
 
 TEST_CASE("A chain longer than several blocks, and grids with far springs, agree with the list too") {
@@ -64,12 +66,14 @@ TEST_CASE("A chain longer than several blocks, and grids with far springs, agree
 TEST_CASE("Numbers of springs: a cloth of n x n has the springs its weave says") {
     const std::size_t n = 6;
     CHECK(list_of(cloth(n, 1, 1, 1, Weave::structural).springs).joints.size() == 2 * n * (n - 1));
-    CHECK(list_of(cloth(n, 1, 1, 1, Weave::with_shear).springs).joints.size() == 2 * n * (n - 1) + 2 * (n - 1) * (n - 1));
+    CHECK(list_of(cloth(n, 1, 1, 1, Weave::with_shear).springs).joints.size() ==
+          2 * n * (n - 1) + 2 * (n - 1) * (n - 1));
     CHECK(list_of(cloth(n, 1, 1, 1, Weave::with_shear_and_bend).springs).joints.size() ==
           2 * n * (n - 1) + 2 * (n - 1) * (n - 1) + 2 * n * (n - 2));
 }
 
-TEST_CASE("Springs pull on their two ends with opposite forces: momentum and angular momentum of the whole stay") {
+TEST_CASE(
+    "Springs pull on their two ends with opposite forces: momentum and angular momentum of the whole stay") {
     const SpringNet net = crumpled(12, Weave::with_shear_and_bend);
     const Vector3Array forces = spring_forces(net);
     Vector3 sum = Vector3::Zero(), torque = Vector3::Zero();
@@ -99,12 +103,14 @@ TEST_CASE("The forces are minus the slope of the energy, and their change is min
             Vector3 formula = Vector3::Zero();
             for (const auto& [a, b, spring] : list_of(net.springs).joints)
                 if (a == i || b == i)
-                    formula += spring_force_change(spring, net.start.position[i], net.start.position[a == i ? b : a], Vector3::Unit(axis));
+                    formula += spring_force_change(spring, net.start.position[i],
+                                                   net.start.position[a == i ? b : a], Vector3::Unit(axis));
             CHECK((change - formula).norm() < 1e-5);
         }
 }
 
-TEST_CASE("Where the ends of a spring meet its force is zero: in the list, in the grid, in a whole run (E08)") {
+TEST_CASE(
+    "Where the ends of a spring meet its force is zero: in the list, in the grid, in a whole run (E08)") {
     Particles two(2);
     Vector3Array forces(2);
     add_forces(Springs{{{0, 1, {100, 1}}}, {{0, Vector3::Zero(), {100, 1}}}}, two, forces);
@@ -125,14 +131,18 @@ TEST_CASE("Where the ends of a spring meet its force is zero: in the list, in th
     meeting.start.set(1, {1, {4, 0, 0}, {-1, 0, 0}});
     bool met = false;
     const auto look = [&](const Particles& all, double) { met = met || all.position[0] == all.position[1]; };
-    const auto step = [](Particles all, const SpringNet& net, double t, double dt) { return verlet(std::move(all), net, t, dt); };
+    const auto step = [](Particles all, const SpringNet& net, double t, double dt) {
+        return verlet(std::move(all), net, t, dt);
+    };
     lab::run(meeting, step, 8, look);
     CHECK(met);
-    // With a spring that pushes and pulls they meet where symmetry says, and whatever happens nothing is ever NaN.
+    // With a spring that pushes and pulls they meet where symmetry says, and whatever happens nothing is ever
+    // NaN.
     meeting.springs.kinds[0].spring = {0.7, 0.0};
     for (const auto& pass : {0, 1}) {
         const auto method = [&](Particles all, const SpringNet& net, double t, double dt) {
-            return pass ? one_pass(std::move(all), net, t, dt) : semi_implicit_euler(std::move(all), net, t, dt);
+            return pass ? one_pass(std::move(all), net, t, dt)
+                        : semi_implicit_euler(std::move(all), net, t, dt);
         };
         lab::run(meeting, method, 64, [](const Particles& all, double) {
             REQUIRE(std::isfinite(all.position[0].norm() + all.velocity[1].norm()));

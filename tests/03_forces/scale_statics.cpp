@@ -1,9 +1,9 @@
-// Hanging chains and cloths: the exact rest shape is at rest, a damped chain comes to it, and with ever more links it
-// becomes the elastic catenary at second order.
-#include "check.hpp"
+// Hanging chains and cloths: the exact rest shape is at rest, a damped chain comes to it, and with ever more
+// links it becomes the elastic catenary at second order.
 #include <nutshell/chain_scenes.hpp>
 #include <nutshell/hanging_chain.hpp>
 #include <nutshell/lab/run.hpp>
+#include "check.hpp"
 
 using namespace nutshell;
 
@@ -17,8 +17,10 @@ HangingChain cut_into(std::size_t links, const Vector2& end = {2, 0}, double cor
 
 /// The scene of that chain, its masses at `points`.
 SpringNet scene_of(const HangingChain& chain, const std::vector<Vector2>& points) {
-    SpringNet net = nutshell::chain(chain.masses, chain.mass, chain.link, {0, 0, 0}, {chain.end.x(), chain.end.y(), 0});
-    for (std::size_t i = 0; i < points.size(); ++i) net.start.position.set(i, {points[i].x(), points[i].y(), 0});
+    SpringNet net =
+        nutshell::chain(chain.masses, chain.mass, chain.link, {0, 0, 0}, {chain.end.x(), chain.end.y(), 0});
+    for (std::size_t i = 0; i < points.size(); ++i)
+        net.start.position.set(i, {points[i].x(), points[i].y(), 0});
     return net;
 }
 
@@ -30,14 +32,16 @@ double largest_force(const SpringNet& net) {
     return largest;
 }
 
-/// The horizontal tension between level ends, by halving an interval: one equation, no derivative, nothing shared.
+/// The horizontal tension between level ends, by halving an interval: one equation, no derivative, nothing
+/// shared.
 double horizontal_by_bisection(const HangingChain& chain) {
     double low = 1e-9, high = 1e9;
     for (int i = 0; i < 200; ++i) {
         const double H = std::sqrt(low * high);
         double x = 0;
         for (std::size_t link = 0; link <= chain.masses; ++link) {
-            const double V = (static_cast<double>(chain.masses) / 2 - static_cast<double>(link)) * chain.mass * chain.g;
+            const double V =
+                (static_cast<double>(chain.masses) / 2 - static_cast<double>(link)) * chain.mass * chain.g;
             x += H * (chain.link.rest_length / std::sqrt(H * H + V * V) + 1 / chain.link.stiffness);
         }
         (x < chain.end.x() ? low : high) = H;
@@ -58,15 +62,18 @@ TEST_CASE("Between level ends half the weight hangs on each, and the tension is 
 }
 
 TEST_CASE("In the exact rest shape no force remains: level and slanted, slack and taut, soft and stiff") {
-    const Vector2 end = GENERATE(Vector2{2, 0}, Vector2{2, 1.5}, Vector2{2.5, -2}, Vector2{6, 1}, Vector2{1.6, 0});
+    const Vector2 end =
+        GENERATE(Vector2{2, 0}, Vector2{2, 1.5}, Vector2{2.5, -2}, Vector2{6, 1}, Vector2{1.6, 0});
     const double stiffness = GENERATE(10., 40., 1e4);
     for (const std::size_t links : {2, 7, 40}) {
         const HangingChain chain = cut_into(links, end, stiffness);
         const std::vector<Vector2> points = rest_shape(chain);
         const EndTension tension = end_tension(chain);
-        INFO(links << " links to (" << end.x() << ", " << end.y() << "), E A = " << stiffness << " N, H = " << tension.horizontal);
+        INFO(links << " links to (" << end.x() << ", " << end.y() << "), E A = " << stiffness
+                   << " N, H = " << tension.horizontal);
         CHECK((points.back() - end).norm() < 1e-12);
-        // A link's tension is its stiffness times a small difference of lengths: round-off of a length is the floor.
+        // A link's tension is its stiffness times a small difference of lengths: round-off of a length is the
+        // floor.
         CHECK(largest_force(scene_of(chain, points)) < 1e-14 * chain.link.stiffness);
     }
 }
@@ -98,10 +105,12 @@ TEST_CASE("A damped chain, let go, comes to its exact rest shape") {
         return semi_implicit_euler(std::move(all), scene, t, dt);
     };
     const Particles end = lab::run(net, step, 20000);
-    for (std::size_t i = 0; i < rest.size(); ++i) CHECK((end.position[i] - Vector3(rest[i].x(), rest[i].y(), 0)).norm() < 1e-12);
+    for (std::size_t i = 0; i < rest.size(); ++i)
+        CHECK((end.position[i] - Vector3(rest[i].x(), rest[i].y(), 0)).norm() < 1e-12);
 }
 
-TEST_CASE("With more links the chain becomes the elastic catenary at second order, and does not become the cosh") {
+TEST_CASE(
+    "With more links the chain becomes the elastic catenary at second order, and does not become the cosh") {
     for (const Vector2& end : {Vector2{2, 0}, Vector2{2, 1}}) {
         Convergence gap, gap_to_cosh;
         for (const std::size_t links : {20, 40, 80, 160, 320}) {
@@ -123,7 +132,7 @@ TEST_CASE("With more links the chain becomes the elastic catenary at second orde
         }
         CHECK_THAT(gap, HasOrder(2));
         CHECK_THAT(gap_to_cosh, HasOrder(0));
-        CHECK(gap_to_cosh.error.back() > 0.05);   // metres: this cord is soft, and stretches under its weight
+        CHECK(gap_to_cosh.error.back() > 0.05);  // metres: this cord is soft, and stretches under its weight
     }
 }
 
@@ -131,7 +140,7 @@ TEST_CASE("The inextensible cord is the cosh") {
     const Cord cord{3, 2, std::numeric_limits<double>::infinity(), {2, 0}};
     const EndTension tension = end_tension(cord);
     const double a = tension.horizontal / cord.weight;
-    CHECK(std::abs(2 * a * std::sinh(1 / a) - 3) < 1e-12);   // its length, by the formula for a cosh
+    CHECK(std::abs(2 * a * std::sinh(1 / a) - 3) < 1e-12);  // its length, by the formula for a cosh
     for (const double s : {0.3, 1.1, 1.5, 2.9}) {
         const Vector2 p = cord_point(cord, tension, s);
         CHECK(std::abs(p.y() - a * (std::cosh((p.x() - 1) / a) - std::cosh(1 / a))) < 1e-12);
@@ -153,6 +162,6 @@ TEST_CASE("Chains that cannot hang are refused at the door") {
     refuses([](HangingChain& c) { c.end.x() = 0; });
     refuses([](HangingChain& c) { c.end.y() = std::numeric_limits<double>::quiet_NaN(); });
     refuses([](HangingChain& c) { c.g = 0; });
-    refuses([](HangingChain& c) { c.end = {0.01, -1}; });   // some link would have to push
+    refuses([](HangingChain& c) { c.end = {0.01, -1}; });  // some link would have to push
     CHECK_THROWS_AS(end_tension(Cord{3, 2, 40, {-1, 0}}), std::invalid_argument);
 }

@@ -1,30 +1,18 @@
-// Every loop here runs over arrays that do not overlap, and no turn of a loop needs another: the compiler may do as many
-// turns at once as the processor has room for. Square roots, divisions, sums and products are the same bits in any width.
-#include <nutshell/wide.hpp>
+// Every loop here runs over arrays that do not overlap, and no turn of a loop needs another: the compiler may
+// do as many turns at once as the processor has room for. Square roots, divisions, sums and products are the
+// same bits in any width.
 #include <cmath>
-
-#ifndef NUTSHELL_WIDE   // a test compiles this file again with its own choice
-#if defined(__x86_64__) && defined(__gnu_linux__) && !defined(__clang__)   // clang 14 names its clones in its own way
-#define NUTSHELL_WIDE __attribute__((target_clones("default", "avx2")))
-#else
-#define NUTSHELL_WIDE
-#endif
-#endif
-
-#ifdef __clang__
-#define INDEPENDENT _Pragma("clang loop vectorize(assume_safety)")
-#else
-#define INDEPENDENT _Pragma("GCC ivdep")
-#endif
+#include <nutshell/wide.hpp>
+#include "clones.hpp"
 
 namespace nutshell::wide {
 
 namespace {
 
-constexpr double no_length = 1e-300; // [m^2]
-constexpr std::size_t block = 256;   // springs worked on at a time: their pulls stay in the nearest cache
+constexpr double no_length = 1e-300;  // [m^2]
+constexpr std::size_t block = 256;    // springs worked on at a time: their pulls stay in the nearest cache
 
-struct Pulls {   // room for `most_step` pulls of the block before
+struct Pulls {  // room for `most_step` pulls of the block before
     double x[most_step + block], y[most_step + block], z[most_step + block];
 };
 
@@ -39,15 +27,16 @@ inline void keep_last(Pulls& pulls, std::size_t step, std::size_t count) {
     }
 }
 
-// The pull on end a of a spring from a to b is stiffness (1 - rest_length / length) (b - a). Where the ends meet the
-// length is zero and the direction unknown: `no_length` keeps the division finite, and the pull, a number times zero, is
-// zero. It changes no bit of a spring longer than 1e-141 m.
-inline void pulls_of(std::size_t n, ConstAxes a, ConstAxes b, double* px, double* py, double* pz, double rest_length,
-                     double stiffness) {
+// The pull on end a of a spring from a to b is stiffness (1 - rest_length / length) (b - a). Where the ends
+// meet the length is zero and the direction unknown: `no_length` keeps the division finite, and the pull, a
+// number times zero, is zero. It changes no bit of a spring longer than 1e-141 m.
+inline void pulls_of(std::size_t n, ConstAxes a, ConstAxes b, double* px, double* py, double* pz,
+                     double rest_length, double stiffness) {
     INDEPENDENT
     for (std::size_t i = 0; i < n; ++i) {
         const double dx = b.x[i] - a.x[i], dy = b.y[i] - a.y[i], dz = b.z[i] - a.z[i];
-        const double pull = stiffness * (1 - rest_length / std::sqrt(dx * dx + dy * dy + dz * dz + no_length));
+        const double pull =
+            stiffness * (1 - rest_length / std::sqrt(dx * dx + dy * dy + dz * dz + no_length));
         px[i] = pull * dx, py[i] = pull * dy, pz[i] = pull * dz;
     }
 }
@@ -73,7 +62,8 @@ NUTSHELL_WIDE void kick(std::size_t n, Axes v, ConstAxes f, const double* mass, 
     }
 }
 
-NUTSHELL_WIDE void weight_and_drag(std::size_t n, Axes f, ConstAxes v, const double* mass, const Medium& medium) {
+NUTSHELL_WIDE void weight_and_drag(std::size_t n, Axes f, ConstAxes v, const double* mass,
+                                   const Medium& medium) {
     const auto [gx, gy, gz, drag] = medium;
     INDEPENDENT
     for (std::size_t i = 0; i < n; ++i) {
@@ -92,12 +82,13 @@ NUTSHELL_WIDE void anchored_springs(std::size_t n, Axes f, ConstAxes x, ConstAxe
     }
 }
 
-NUTSHELL_WIDE void springs_between(std::size_t n, ConstAxes a, ConstAxes b, Axes fa, Axes fb, double rest_length,
-                                   double stiffness) {
+NUTSHELL_WIDE void springs_between(std::size_t n, ConstAxes a, ConstAxes b, Axes fa, Axes fb,
+                                   double rest_length, double stiffness) {
     INDEPENDENT
     for (std::size_t i = 0; i < n; ++i) {
         const double dx = b.x[i] - a.x[i], dy = b.y[i] - a.y[i], dz = b.z[i] - a.z[i];
-        const double pull = stiffness * (1 - rest_length / std::sqrt(dx * dx + dy * dy + dz * dz + no_length));
+        const double pull =
+            stiffness * (1 - rest_length / std::sqrt(dx * dx + dy * dy + dz * dz + no_length));
         fa.x[i] += pull * dx, fa.y[i] += pull * dy, fa.z[i] += pull * dz;
         fb.x[i] -= pull * dx, fb.y[i] -= pull * dy, fb.z[i] -= pull * dz;
     }
@@ -107,12 +98,14 @@ NUTSHELL_WIDE void springs_in_row(std::size_t n, std::size_t step, ConstAxes x, 
                                   double stiffness) {
     Pulls pulls;
     double *px = pulls.x + most_step, *py = pulls.y + most_step, *pz = pulls.z + most_step;
-    for (std::size_t i = 0; i < step; ++i) pulls.x[most_step + i - step] = pulls.y[most_step + i - step] = pulls.z[most_step + i - step] = 0;
+    for (std::size_t i = 0; i < step; ++i)
+        pulls.x[most_step + i - step] = pulls.y[most_step + i - step] = pulls.z[most_step + i - step] = 0;
     for (std::size_t begin = 0; begin < n; begin += block) {
-        const std::size_t count = least(block, n - begin), springs = begin + step < n ? least(count, n - step - begin) : 0;
+        const std::size_t count = least(block, n - begin),
+                          springs = begin + step < n ? least(count, n - step - begin) : 0;
         pulls_of(springs, x.from(begin), x.from(begin + step), px, py, pz, rest_length, stiffness);
         for (std::size_t i = springs; i < count; ++i) px[i] = py[i] = pz[i] = 0;
-        const double *qx = px - step, *qy = py - step, *qz = pz - step;   // the pull that ends where this one starts
+        const double *qx = px - step, *qy = py - step, *qz = pz - step;  // pulls that end where these start
         const Axes fb = f.from(begin);
         INDEPENDENT
         for (std::size_t i = 0; i < count; ++i) {
@@ -124,8 +117,8 @@ NUTSHELL_WIDE void springs_in_row(std::size_t n, std::size_t step, ConstAxes x, 
     }
 }
 
-NUTSHELL_WIDE void anchored_step(std::size_t n, Axes x, Axes v, const double* mass, ConstAxes anchor, double stiffness,
-                                 const Medium& medium, double dt) {
+NUTSHELL_WIDE void anchored_step(std::size_t n, Axes x, Axes v, const double* mass, ConstAxes anchor,
+                                 double stiffness, const Medium& medium, double dt) {
     const auto [gx, gy, gz, drag] = medium;
     INDEPENDENT
     for (std::size_t i = 0; i < n; ++i) {
@@ -139,8 +132,9 @@ NUTSHELL_WIDE void anchored_step(std::size_t n, Axes x, Axes v, const double* ma
     }
 }
 
-NUTSHELL_WIDE void chain_step(std::size_t n, Axes x, Axes v, const double* mass, double rest_length, double stiffness,
-                              const Medium& medium, bool first_held, bool last_held, double dt) {
+NUTSHELL_WIDE void chain_step(std::size_t n, Axes x, Axes v, const double* mass, double rest_length,
+                              double stiffness, const Medium& medium, bool first_held, bool last_held,
+                              double dt) {
     const auto [gx, gy, gz, drag] = medium;
     Pulls pulls;
     double *px = pulls.x + most_step, *py = pulls.y + most_step, *pz = pulls.z + most_step;
@@ -149,8 +143,9 @@ NUTSHELL_WIDE void chain_step(std::size_t n, Axes x, Axes v, const double* mass,
         const std::size_t count = least(block, n - begin), springs = least(count, n - 1 - begin);
         pulls_of(springs, x.from(begin), x.from(begin + 1), px, py, pz, rest_length, stiffness);
         if (springs < count) px[springs] = py[springs] = pz[springs] = 0;
-        // All springs that begin in this block have been seen, and those of the next block begin there: these may move.
-        const std::size_t first = begin == 0 && first_held, last = begin + count == n && last_held ? count - 1 : count;
+        // Springs of later blocks begin at particles of later blocks: those of this one may move now.
+        const std::size_t first = begin == 0 && first_held,
+                          last = begin + count == n && last_held ? count - 1 : count;
         const double *qx = px - 1, *qy = py - 1, *qz = pz - 1, *m = mass + begin;
         const Axes xb = x.from(begin), vb = v.from(begin);
         INDEPENDENT

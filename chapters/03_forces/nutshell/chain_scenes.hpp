@@ -1,8 +1,9 @@
 // Chapter 3 · Scenes of many particles: each on its own spring, a chain, a cloth.
 #pragma once
+#include <algorithm>
 #include <nutshell/need.hpp>
 #include <nutshell/springs.hpp>
-#include <algorithm>
+#include <utility>
 
 namespace nutshell {
 
@@ -11,16 +12,18 @@ namespace nutshell {
 struct AnchoredParticles {
     std::string name = "anchored_particles";
     Particles start;
-    Vector3Array anchors;              ///< [m]
-    double stiffness = 100;            ///< kappa [N/m]
-    double drag = 0.5;                 ///< gamma [kg/s]
-    double g = earth_gravity;          ///< [m/s^2], downwards
-    double duration = 2;               ///< [s]
-    mutable Vector3Array forces{};     ///< room for the sum; one scene must not be stepped by two threads at once
+    Vector3Array anchors;      ///< [m]
+    double stiffness = 100;    ///< kappa [N/m]
+    double drag = 0.5;         ///< gamma [kg/s]
+    double g = earth_gravity;  ///< [m/s^2], downwards
+    double duration = 2;       ///< [s]
+    /// Room for the sum of forces; so two threads must not step one scene at once.
+    mutable Vector3Array forces{};
 
     ForceArrays operator()(const Particles& all, double) const {
         forces.resize(all.size());
-        wide::weight_and_drag(all.size(), forces.axes(), all.velocity.axes(), all.mass.data(), {0, -g, 0, drag});
+        wide::weight_and_drag(all.size(), forces.axes(), all.velocity.axes(), all.mass.data(),
+                              {0, -g, 0, drag});
         wide::anchored_springs(all.size(), forces.axes(), all.position.axes(), anchors.axes(), stiffness);
         return std::as_const(forces).axes();
     }
@@ -42,22 +45,26 @@ inline AnchoredParticles anchored_particles(std::size_t n) {
 // [/anchored_particles]
 
 // [spring_net]
-/// Particles in a grid joined by springs, with drag and gravity; some are held and do not move. A chain has one row.
+/// Particles in a grid joined by springs, with drag and gravity; some are held and do not move. A chain has
+/// one row.
 struct SpringNet {
     std::string name;
     Particles start;
     GridSprings springs;
-    std::vector<std::size_t> held;     ///< numbers of the held particles, in rising order
-    double drag = 0;                   ///< gamma [kg/s]
-    double g = earth_gravity;          ///< [m/s^2], downwards
-    double duration = 10;              ///< [s]
-    mutable Vector3Array forces{};     ///< room for the sum; one scene must not be stepped by two threads at once
+    std::vector<std::size_t> held;  ///< numbers of the held particles, in rising order
+    double drag = 0;                ///< gamma [kg/s]
+    double g = earth_gravity;       ///< [m/s^2], downwards
+    double duration = 10;           ///< [s]
+    /// Room for the sum of forces; so two threads must not step one scene at once.
+    mutable Vector3Array forces{};
 
     ForceArrays operator()(const Particles& all, double) const {
         forces.resize(all.size());
-        wide::weight_and_drag(all.size(), forces.axes(), all.velocity.axes(), all.mass.data(), {0, -g, 0, drag});
+        wide::weight_and_drag(all.size(), forces.axes(), all.velocity.axes(), all.mass.data(),
+                              {0, -g, 0, drag});
         add_forces(springs, all, forces);
-        for (const std::size_t i : held) forces.set(i, Vector3::Zero());   // the hand that holds it balances every force
+        for (const std::size_t i : held)
+            forces.set(i, Vector3::Zero());  // the hand that holds it balances every force
         return std::as_const(forces).axes();
     }
     /// Of motion, height and springs [J].
@@ -69,8 +76,8 @@ struct SpringNet {
 };
 // [/spring_net]
 
-/// Gives the scene back if it can be simulated. @throws std::invalid_argument if its particles or springs cannot, if
-/// drag is negative, or a held particle moves, does not exist or is out of order
+/// Gives the scene back if it can be simulated. @throws std::invalid_argument if its particles or springs
+/// cannot, if drag is negative, or a held particle moves, does not exist or is out of order
 inline SpringNet checked(SpringNet net) {
     checked(net.start);
     checked(net.springs, net.start.size());
@@ -78,8 +85,10 @@ inline SpringNet checked(SpringNet net) {
     require(std::isfinite(net.g), "gravity g [m/s^2] must be finite");
     for (std::size_t i = 0; i < net.held.size(); ++i) {
         const std::string which = "held particle " + std::to_string(net.held[i]);
-        require(net.held[i] < net.start.size(), which + ": there are only " + std::to_string(net.start.size()) + ", counted from 0");
-        require(i == 0 || net.held[i] > net.held[i - 1], which + ": number the held particles in rising order, each once");
+        require(net.held[i] < net.start.size(),
+                which + ": there are only " + std::to_string(net.start.size()) + ", counted from 0");
+        require(i == 0 || net.held[i] > net.held[i - 1],
+                which + ": number the held particles in rising order, each once");
         require(net.start.velocity[net.held[i]].isZero(0), which + " has a velocity: give it none");
     }
     return net;
@@ -97,17 +106,22 @@ inline AnchoredParticles checked(AnchoredParticles scene) {
 }
 
 // [chain]
-/// A chain of `masses` equal masses [kg] from `left` [m], held, to `right` [m], held too unless `right_free`. The links
-/// start straight, all equally long; one more link than masses if both ends are held, as many if one is free.
+/// A chain of `masses` equal masses [kg] from `left` [m], held, to `right` [m], held too unless `right_free`.
+/// The links start straight, all equally long; one more link than masses if both ends are held, as many if
+/// one is free.
 /// @throws std::invalid_argument if it cannot be simulated
-inline SpringNet chain(std::size_t masses, double mass, const Spring& link, const Vector3& left, const Vector3& right,
-                       bool right_free = false) {
+inline SpringNet chain(std::size_t masses, double mass, const Spring& link, const Vector3& left,
+                       const Vector3& right, bool right_free = false) {
     require(masses >= 1, "a chain needs at least one mass");
     const std::size_t links = right_free ? masses : masses + 1;
-    SpringNet net{right_free ? "chain_one_end_free" : "chain", Particles(links + 1, mass), {1, links + 1, {{0, 1, link}}}, {0}};
+    SpringNet net{right_free ? "chain_one_end_free" : "chain",
+                  Particles(links + 1, mass),
+                  {1, links + 1, {{0, 1, link}}},
+                  {0}};
     if (!right_free) net.held.push_back(links);
     for (std::size_t i = 0; i <= links; ++i)
-        net.start.position.set(i, left + (right - left) * (static_cast<double>(i) / static_cast<double>(links)));
+        net.start.position.set(i,
+                               left + (right - left) * (static_cast<double>(i) / static_cast<double>(links)));
     return checked(net);
 }
 // [/chain]
@@ -116,9 +130,9 @@ inline SpringNet chain(std::size_t masses, double mass, const Spring& link, cons
 /// Which springs a cloth has. Every kind adds stiffness, and takes from the largest step.
 enum class Weave { structural, with_shear, with_shear_and_bend };
 
-/// A flat square cloth of n x n particles, `side` [m] long and of `mass` [kg] in all, standing upright in the plane z = 0
-/// with its upper left corner at `corner` [m]. All springs have the same stiffness [N/m] and start at rest length.
-/// Nothing is held. @throws std::invalid_argument if it cannot be simulated
+/// A flat square cloth of n x n particles, `side` [m] long and of `mass` [kg] in all, standing upright in the
+/// plane z = 0 with its upper left corner at `corner` [m]. All springs have the same stiffness [N/m] and
+/// start at rest length. Nothing is held. @throws std::invalid_argument if it cannot be simulated
 inline SpringNet cloth(std::size_t n, double side, double mass, double stiffness, Weave weave,
                        const Vector3& corner = Vector3::Zero()) {
     require(n >= 2, "a cloth needs at least 2 x 2 particles");
@@ -136,36 +150,39 @@ inline SpringNet cloth(std::size_t n, double side, double mass, double stiffness
     }
     for (std::size_t r = 0; r < n; ++r)
         for (std::size_t c = 0; c < n; ++c)
-            net.start.position.set(r * n + c, corner + gap * Vector3(static_cast<double>(c), -static_cast<double>(r), 0));
+            net.start.position.set(
+                r * n + c, corner + gap * Vector3(static_cast<double>(c), -static_cast<double>(r), 0));
     return checked(net);
 }
 // [/cloth]
 
 // [one_pass]
-/// Semi-implicit Euler for anchored particles in one pass over memory: the same verbs, the same numbers bit for bit.
+/// Semi-implicit Euler for anchored particles in one pass over memory: the same verbs, the same numbers bit
+/// for bit.
 inline Particles one_pass(Particles all, const AnchoredParticles& scene, double, double dt) {
-    wide::anchored_step(all.size(), all.position.axes(), all.velocity.axes(), all.mass.data(), scene.anchors.axes(),
-                        scene.stiffness, {0, -scene.g, 0, scene.drag}, dt);
+    wide::anchored_step(all.size(), all.position.axes(), all.velocity.axes(), all.mass.data(),
+                        scene.anchors.axes(), scene.stiffness, {0, -scene.g, 0, scene.drag}, dt);
     return all;
 }
 
-/// Semi-implicit Euler for a grid of springs in one pass over memory: once all springs that start in a row have been
-/// added, no later spring touches this row, so it may be kicked and may drift while it is still in the nearest cache.
-/// A chain goes block by block in the same way. The same numbers, bit for bit.
+/// Semi-implicit Euler for a grid of springs in one pass over memory: once all springs that start in a row
+/// have been added, no later spring touches this row, so it may be kicked and may drift while it is still in
+/// the nearest cache. A chain goes block by block in the same way. The same numbers, bit for bit.
 inline Particles one_pass(Particles all, const SpringNet& net, double, double dt) {
     const auto& [rows, columns, kinds] = net.springs;
     const wide::Medium medium{0, -net.g, 0, net.drag};
     const wide::Axes position = all.position.axes(), velocity = all.velocity.axes();
     const bool first_held = !net.held.empty() && net.held.front() == 0;
     const bool last_held = net.held.size() > first_held && net.held.back() == all.size() - 1;
-    if (rows == 1 && kinds.size() == 1 && kinds[0].right == 1 && net.held.size() == std::size_t(first_held) + last_held) {
-        wide::chain_step(columns, position, velocity, all.mass.data(), kinds[0].spring.rest_length, kinds[0].spring.stiffness,
-                         medium, first_held, last_held, dt);
+    if (rows == 1 && kinds.size() == 1 && kinds[0].right == 1 &&
+        net.held.size() == std::size_t(first_held) + last_held) {
+        wide::chain_step(columns, position, velocity, all.mass.data(), kinds[0].spring.rest_length,
+                         kinds[0].spring.stiffness, medium, first_held, last_held, dt);
         return all;
     }
     net.forces.resize(all.size());
     const wide::Axes forces = net.forces.axes();
-    std::size_t reach = 0, begun = 0;   // how far down springs reach; rows whose sum of forces has begun
+    std::size_t reach = 0, begun = 0;  // how far down springs reach; rows whose sum of forces has begun
     for (const GridSpring& kind : kinds) reach = std::max(reach, kind.down);
     auto hold = net.held.begin();
     for (std::size_t r = 0; r < rows; ++r) {

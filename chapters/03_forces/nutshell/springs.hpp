@@ -38,21 +38,24 @@ inline void add_forces(const Springs& springs, const Particles& all, Vector3Arra
         add(forces, joint.b, -on_a);
     }
     for (const Anchor& anchor : springs.anchors)
-        add(forces, anchor.particle, spring_force(anchor.spring, all.position[anchor.particle], anchor.point));
+        add(forces, anchor.particle,
+            spring_force(anchor.spring, all.position[anchor.particle], anchor.point));
 }
 // [/springs]
 
 /// Energy [J] in all springs.
 inline double spring_energy(const Springs& springs, const Particles& all) {
     double sum = 0;
-    for (const Joint& joint : springs.joints) sum += spring_energy(joint.spring, all.position[joint.a], all.position[joint.b]);
+    for (const Joint& joint : springs.joints)
+        sum += spring_energy(joint.spring, all.position[joint.a], all.position[joint.b]);
     for (const Anchor& anchor : springs.anchors)
         sum += spring_energy(anchor.spring, all.position[anchor.particle], anchor.point);
     return sum;
 }
 
-/// Gives the springs back if they fit `particles` particles. @throws std::invalid_argument if a spring joins a particle
-/// to itself or one that does not exist, is anchored to a point that is not finite, or could not be simulated at all
+/// Gives the springs back if they fit `particles` particles. @throws std::invalid_argument if a spring joins
+/// a particle to itself or one that does not exist, is anchored to a point that is not finite, or could not
+/// be simulated at all
 inline Springs checked(Springs springs, std::size_t particles) {
     const auto exists = [&](std::size_t i, const std::string& which) {
         require(i < particles, which + " holds particle " + std::to_string(i) + ", but there are only " +
@@ -62,7 +65,8 @@ inline Springs checked(Springs springs, std::size_t particles) {
         const std::string which = "spring " + std::to_string(i);
         const Joint& joint = springs.joints[i];
         exists(joint.a, which), exists(joint.b, which);
-        require(joint.a != joint.b, which + " joins particle " + std::to_string(joint.a) + " to itself: give it two different ends");
+        require(joint.a != joint.b, which + " joins particle " + std::to_string(joint.a) +
+                                        " to itself: give it two different ends");
         checked(joint.spring);
     }
     for (std::size_t i = 0; i < springs.anchors.size(); ++i) {
@@ -74,33 +78,37 @@ inline Springs checked(Springs springs, std::size_t particles) {
 }
 
 // [grid_springs]
-/// One kind of spring in a grid: from every particle to the one `down` rows on and `right` columns to the right of it,
-/// wherever there is one.
+/// One kind of spring in a grid: from every particle to the one `down` rows on and `right` columns to the
+/// right of it, wherever there is one.
 struct GridSpring {
     std::size_t down;  ///< rows
     long right;        ///< columns; negative: to the left
     Spring spring;
 };
 
-/// Springs between the particles of a grid; the particle in row r and column c has number r * columns + c. A chain is a
-/// grid of one row. Who is joined to whom follows from the place, so no list of numbers has to be read.
+/// Springs between the particles of a grid; the particle in row r and column c has number r * columns + c. A
+/// chain is a grid of one row. Who is joined to whom follows from the place, so no list of numbers has to be
+/// read.
 struct GridSprings {
     std::size_t rows, columns;
     std::vector<GridSpring> kinds;
 };
 
-/// Adds the forces of all springs that start in row r: within the row, or between two rows, in one wide loop per kind.
-inline void add_row_forces(const GridSprings& grid, std::size_t r, wide::ConstAxes position, wide::Axes forces) {
+/// Adds the forces of all springs that start in row r: within the row, or between two rows, in one wide loop
+/// per kind.
+inline void add_row_forces(const GridSprings& grid, std::size_t r, wide::ConstAxes position,
+                           wide::Axes forces) {
     for (const auto& [down, right, spring] : grid.kinds) {
         if (r + down >= grid.rows) continue;
         const std::size_t row = r * grid.columns, other = row + down * grid.columns;
         const auto shift = static_cast<std::size_t>(std::abs(right));
         if (down == 0) {
-            wide::springs_in_row(grid.columns, shift, position.from(row), forces.from(row), spring.rest_length, spring.stiffness);
+            wide::springs_in_row(grid.columns, shift, position.from(row), forces.from(row),
+                                 spring.rest_length, spring.stiffness);
         } else if (shift < grid.columns) {
             const std::size_t a = right < 0 ? row + shift : row, b = right < 0 ? other : other + shift;
-            wide::springs_between(grid.columns - shift, position.from(a), position.from(b), forces.from(a), forces.from(b),
-                                  spring.rest_length, spring.stiffness);
+            wide::springs_between(grid.columns - shift, position.from(a), position.from(b), forces.from(a),
+                                  forces.from(b), spring.rest_length, spring.stiffness);
         }
     }
 }
@@ -119,31 +127,36 @@ inline Springs list_of(const GridSprings& grid) {
             for (std::size_t c = 0; c < grid.columns; ++c) {
                 const long other = static_cast<long>(c) + right;
                 if (r + down >= grid.rows || other < 0 || other >= static_cast<long>(grid.columns)) continue;
-                list.joints.push_back({r * grid.columns + c, (r + down) * grid.columns + static_cast<std::size_t>(other), spring});
+                list.joints.push_back({r * grid.columns + c,
+                                       (r + down) * grid.columns + static_cast<std::size_t>(other), spring});
             }
     return list;
 }
 
-/// Gives the grid back if it fits `particles` particles. @throws std::invalid_argument if it does not, or a kind of
-/// spring would join a particle to itself, points backwards within a row or farther than wide::most_step, or could not
-/// be simulated at all
+/// Gives the grid back if it fits `particles` particles. @throws std::invalid_argument if it does not, or a
+/// kind of spring would join a particle to itself, points backwards within a row or farther than
+/// wide::most_step, or could not be simulated at all
 inline GridSprings checked(GridSprings grid, std::size_t particles) {
-    require(grid.rows * grid.columns == particles, "a grid of " + std::to_string(grid.rows) + " x " + std::to_string(grid.columns) +
-                                                       " does not fit " + std::to_string(particles) + " particles");
+    require(grid.rows * grid.columns == particles, "a grid of " + std::to_string(grid.rows) + " x " +
+                                                       std::to_string(grid.columns) + " does not fit " +
+                                                       std::to_string(particles) + " particles");
     for (const auto& [down, right, spring] : grid.kinds) {
-        require(down != 0 || right != 0, "a spring of a grid joins every particle to itself: give it a step down or to the right");
+        require(down != 0 || right != 0,
+                "a spring of a grid joins every particle to itself: give it a step down or to the right");
         require(down != 0 || (right > 0 && right <= static_cast<long>(wide::most_step)),
-                "a spring within a row of a grid must step 1 to " + std::to_string(wide::most_step) + " columns to the right, not " +
-                    std::to_string(right));
+                "a spring within a row of a grid must step 1 to " + std::to_string(wide::most_step) +
+                    " columns to the right, not " + std::to_string(right));
         checked(spring);
     }
     return grid;
 }
 
 // [pull_change]
-/// How the force [N] of a spring on its end changes when this end moves by a small `shift` [m]: along the spring by its
-/// stiffness, across it by its tension over its length. Eq. (3.s): minus the second derivative of the energy.
-inline Vector3 spring_force_change(const Spring& spring, const Vector3& end, const Vector3& other_end, const Vector3& shift) {
+/// How the force [N] of a spring on its end changes when this end moves by a small `shift` [m]: along the
+/// spring by its stiffness, across it by its tension over its length. minus the second derivative of the
+/// energy.
+inline Vector3 spring_force_change(const Spring& spring, const Vector3& end, const Vector3& other_end,
+                                   const Vector3& shift) {
     const Vector3 d = end - other_end;
     const double length = d.norm();
     if (length == 0) return spring.rest_length == 0 ? Vector3(-spring.stiffness * shift) : Vector3::Zero();
