@@ -97,8 +97,8 @@ auto one_pass_step = [](auto state, const auto& forces, double t, double step) {
 }  // namespace
 
 TEST_CASE("The wide loops give the same bits with and without AVX2, for every length") {
-    for (const std::size_t n :
-         {1, 2, 3, 4, 5, 7, 8, 15, 16, 17, 31, 33, 100, 255, 256, 257, 511, 513, 1000}) {
+    for (const std::size_t n : std::vector<std::size_t>{1, 2, 3, 4, 5, 7, 8, 15, 16, 17, 31, 33, 100, 255,
+                                                        256, 257, 511, 513, 1000}) {
         const Heap heap(n);
         const auto library = EVERY_LOOP(wide, heap), plain = EVERY_LOOP(without_avx2::nutshell::wide, heap);
         INFO(n << " particles");
@@ -112,14 +112,14 @@ TEST_CASE("The wide loops give the same bits with and without AVX2, for every le
 }
 
 TEST_CASE("One pass over memory gives the bits of force, kick, drift: anchored particles") {
-    for (const std::size_t n : {1, 10, 257, 1000}) {
+    for (const std::size_t n : std::vector<std::size_t>{1, 10, 257, 1000}) {
         const AnchoredParticles scene = anchored_particles(n);
         CHECK(same_bits(lab::run(scene, one_pass_step, 100), lab::run(scene, semi_implicit_step, 100)));
     }
 }
 
 TEST_CASE("One pass over memory gives the bits of force, kick, drift: chains, whatever is held") {
-    for (const std::size_t n : {1, 2, 255, 256, 257, 600}) {
+    for (const std::size_t n : std::vector<std::size_t>{1, 2, 255, 256, 257, 600}) {
         for (const bool free : {false, true}) {
             SpringNet net = chain(n, 0.1, {300, 0.1}, {0, 0, 0}, {0.1 * static_cast<double>(n), 0, 0}, free);
             net.drag = 0.05, net.duration = 0.5;
@@ -134,7 +134,7 @@ TEST_CASE("One pass over memory gives the bits of force, kick, drift: chains, wh
 
 TEST_CASE("One pass over memory gives the bits of force, kick, drift: cloths") {
     for (const auto weave : {Weave::structural, Weave::with_shear, Weave::with_shear_and_bend})
-        for (const std::size_t n : {2, 3, 16, 33}) {
+        for (const std::size_t n : std::vector<std::size_t>{2, 3, 16, 33}) {
             SpringNet net = cloth(n, 1, 0.3, 30, weave);
             net.drag = 0.01, net.duration = 0.5;
             net.held = {0, n - 1};

@@ -47,7 +47,8 @@ TEST_CASE("The grid's wide loops give the forces of the list of springs, to roun
 }
 
 TEST_CASE("A chain longer than several blocks, and grids with far springs, agree with the list too") {
-    for (const std::size_t n : {2, 3, 16, 17, 255, 256, 257, 300, 511, 512, 513, 514, 1000}) {
+    for (const std::size_t n :
+         std::vector<std::size_t>{2, 3, 16, 17, 255, 256, 257, 300, 511, 512, 513, 514, 1000}) {
         for (const long step : {1, 2, 5, 16}) {
             SpringNet net{"row", Particles(n), {1, n, {{0, step, {50, 0.7}}}}, {}};
             for (std::size_t i = 0; i < n; ++i) {
@@ -92,7 +93,7 @@ TEST_CASE("The forces are minus the slope of the energy, and their change is min
     net.g = 0;
     const Vector3Array forces = spring_forces(net);
     const double h = 1e-5;
-    for (const std::size_t i : {0, 5, 15})
+    for (const std::size_t i : std::vector<std::size_t>{0, 5, 15})
         for (int axis = 0; axis < 3; ++axis) {
             SpringNet plus = net, minus = net;
             plus.start.position.set(i, net.start.position[i] + h * Vector3::Unit(axis));

@@ -99,7 +99,7 @@ TEST_CASE("Chain: the closed forms are the fastest mode, and every method breaks
     const double mass = 0.2, stiffness = 50, gap = 0.1, theta4 = yoshida_limit();
     CHECK(std::abs(theta4 - 1.5734) < 1e-4);
     for (const bool free : {false, true})
-        for (const std::size_t masses : {1, 2, 5, 24}) {
+        for (const std::size_t masses : std::vector<std::size_t>{1, 2, 5, 24}) {
             const double links = static_cast<double>(masses) + (free ? 0 : 1);
             const SpringNet net =
                 shaken(chain(masses, mass, {stiffness, gap}, {0, 0, 0}, {gap * links, 0, 0}, free));

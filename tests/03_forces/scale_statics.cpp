@@ -52,7 +52,7 @@ double horizontal_by_bisection(const HangingChain& chain) {
 }  // namespace
 
 TEST_CASE("Between level ends half the weight hangs on each, and the tension is the root of one equation") {
-    for (const std::size_t links : {2, 3, 10, 101}) {
+    for (const std::size_t links : std::vector<std::size_t>{2, 3, 10, 101}) {
         const HangingChain chain = cut_into(links);
         const EndTension tension = end_tension(chain);
         const double weight = static_cast<double>(chain.masses) * chain.mass * chain.g;
@@ -65,7 +65,7 @@ TEST_CASE("In the exact rest shape no force remains: level and slanted, slack an
     const Vector2 end =
         GENERATE(Vector2{2, 0}, Vector2{2, 1.5}, Vector2{2.5, -2}, Vector2{6, 1}, Vector2{1.6, 0});
     const double stiffness = GENERATE(10., 40., 1e4);
-    for (const std::size_t links : {2, 7, 40}) {
+    for (const std::size_t links : std::vector<std::size_t>{2, 7, 40}) {
         const HangingChain chain = cut_into(links, end, stiffness);
         const std::vector<Vector2> points = rest_shape(chain);
         const EndTension tension = end_tension(chain);
@@ -113,7 +113,7 @@ TEST_CASE(
     "With more links the chain becomes the elastic catenary at second order, and does not become the cosh") {
     for (const Vector2& end : {Vector2{2, 0}, Vector2{2, 1}}) {
         Convergence gap, gap_to_cosh;
-        for (const std::size_t links : {20, 40, 80, 160, 320}) {
+        for (const std::size_t links : std::vector<std::size_t>{20, 40, 80, 160, 320}) {
             const HangingChain chain = cut_into(links, end);
             const Cord cord = cord_of(chain);
             Cord inextensible = cord;
