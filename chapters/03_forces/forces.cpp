@@ -1,8 +1,6 @@
 // Chapter 3 · Types of forces.  ./course run 3  runs it; results in out/03_forces.
 #include "program.hpp"
-#if __has_include("scale.hpp")
 #include "scale.hpp"
-#endif
 
 int main(int argc, char** argv) {
     return nutshell::lab::program(argc, argv, "03_forces", [](nutshell::lab::Report& report) {
@@ -12,9 +10,7 @@ int main(int argc, char** argv) {
         nutshell::planet_again(report);
         nutshell::model_ladder(report);
         nutshell::pictures(report);
-#if __has_include("scale.hpp")
         nutshell::chains_and_cloths(report);
         nutshell::scale(report);
-#endif
     });
 }

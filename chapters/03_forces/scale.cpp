@@ -1,0 +1,146 @@
+// How long one step of one particle takes, from ten particles to a million, and how far that is from what the
+// machine can.
+#include "scale.hpp"
+#include <nutshell/lab/chart.hpp>
+#include <nutshell/spring_limits.hpp>
+#include "step_times.hpp"
+
+namespace nutshell {
+
+namespace {
+
+struct Kind {
+    std::string name, plural, word;  ///< on charts; in names of numbers
+    std::vector<Times> times;
+};
+
+void draw_time_against_number(lab::Report& report, const std::vector<Kind>& kinds) {
+    lab::Chart chart;
+    chart.title = "What one step of one particle costs";
+    chart.subtitle =
+        "semi-implicit Euler in one pass, one core; down is better; dashed: the machine's floor for each";
+    chart.x = {"particles", lab::Scale::logarithmic};
+    chart.y = {"time per particle-step [ns]", lab::Scale::logarithmic};
+    for (const Kind& kind : kinds) {
+        lab::Series one{kind.name}, floor{"", {}, {}, lab::Draw::theory};
+        for (const Times& t : kind.times) {
+            const auto n = static_cast<double>(t.particles);
+            one.x.push_back(n), one.y.push_back(t.one_pass);
+            one.notes.push_back(lab::rounded(t.one_pass / t.floor(), "%.2f times the floor"));
+            floor.x.push_back(n), floor.y.push_back(t.floor());
+        }
+        chart.series.push_back(one), chart.series.push_back(floor);
+    }
+    lab::write_svg(chart, report.path("scale.svg"));
+}
+
+void draw_against_floor(lab::Report& report, const std::vector<Kind>& kinds) {
+    lab::Chart chart;
+    chart.title = "The same verbs, one pass";
+    chart.subtitle =
+        "semi-implicit Euler, one core: force, kick and drift one after the other, or all in one pass over "
+        "memory";
+    chart.x = {"time per particle-step [ns]", lab::Scale::linear, 0};
+    for (const Kind& kind : kinds)
+        for (const std::size_t n : std::vector<std::size_t>{std::size_t{1000}, std::size_t{1'000'000}}) {
+            const auto near =
+                std::min_element(kind.times.begin(), kind.times.end(), [&](const Times& a, const Times& b) {
+                    return std::abs(std::log(double(a.particles) / double(n))) <
+                           std::abs(std::log(double(b.particles) / double(n)));
+                });
+            const std::string of = (n == 1000 ? "10³ " : "10⁶ ") + kind.plural;
+            const auto bar = [&](const std::string& way, double time, const std::string& style) {
+                chart.bars.push_back({of + way, time, near->floor(), style,
+                                      lab::rounded(time, "%.2g ns, ") +
+                                          lab::rounded(time / near->floor(), "%.1f× the floor")});
+            };
+            bar(", verbs", near->verbs, "semi-implicit Euler, three verbs");
+            bar(", one pass", near->one_pass, "semi-implicit Euler");
+            const std::string word = kind.word + (n == 1000 ? "_cache" : "_memory");
+            report.number("scale." + word + ".verbs", near->verbs, "ns");
+            report.number("scale." + word + ".one_pass", near->one_pass, "ns");
+            report.number("scale." + word + ".floor", near->floor(), "ns");
+            report.number("scale." + word + ".verbs_over_floor", near->verbs / near->floor());
+            report.number("scale." + word + ".one_pass_over_floor", near->one_pass / near->floor());
+        }
+    lab::write_svg(chart, report.path("scale_floor.svg"));
+}
+
+/// A cloth of one size and mass, finer and finer: more points, and smaller steps.
+void finer_cloth(lab::Report& report, const std::vector<Times>& times) {
+    constexpr double side = 2, mass = 0.4, stiffness = 100, part_of_limit = 0.9;  // [m], [kg], [N/m]
+    lab::Table data{{"points along a side", "points", "steps_per_second", "seconds_per_second"}, {}};
+    lab::Chart chart;
+    chart.title = "A finer cloth costs more twice";
+    chart.subtitle = "2 m x 2 m, semi-implicit Euler at 0.9 of its limit: more points, and smaller steps";
+    chart.x = {"points along a side", lab::Scale::logarithmic};
+    chart.y = {"processor time per simulated second [s/s]", lab::Scale::logarithmic};
+    chart.tolerance = {1, "as fast as the clock, on one core"};
+    lab::Series cost{"", {}, {}, lab::Draw::line_and_marks, "semi-implicit Euler"};
+    double finest_in_time = 0;
+    for (const Times& t : times) {
+        const double n = std::sqrt(static_cast<double>(t.particles)),
+                     each = mass / static_cast<double>(t.particles);
+        const SpringNet net = cloth(4, side, 16 * each, stiffness, Weave::with_shear_and_bend);
+        const double step = part_of_limit * 2 / cloth_frequency(net.springs.kinds, each, 180);
+        const double seconds = 1e-9 * t.one_pass * static_cast<double>(t.particles) / step;
+        if (n < 6) continue;  // too few points for the limit of an endless cloth
+        data.add({lab::exact_digits(n), std::to_string(t.particles), lab::exact_digits(1 / step),
+                  lab::exact_digits(seconds)});
+        cost.x.push_back(n), cost.y.push_back(seconds);
+        cost.notes.push_back(lab::rounded(1 / step, "%.0f steps a second"));
+        if (seconds > 1 && finest_in_time == 0 &&
+            cost.y.size() > 1) {  // where the line crosses one second, log-log
+            const std::size_t now = cost.y.size() - 1;
+            const double part = std::log(1 / cost.y[now - 1]) / std::log(cost.y[now] / cost.y[now - 1]);
+            finest_in_time = cost.x[now - 1] * std::pow(cost.x[now] / cost.x[now - 1], part);
+        }
+    }
+    const std::size_t last = cost.x.size() - 1;
+    chart.series.push_back(cost);
+    chart.guides = {2, 3};
+    chart.guide_name = "slope";
+    const double slope = std::log(cost.y[last] / cost.y[1]) / std::log(cost.x[last] / cost.x[1]);
+    report.number("cloth.finer.slope", slope);
+    report.number("cloth.finer.in_time", finest_in_time);
+    report.number("cloth.finer.million", cost.y[last], "s");
+    report.data("finer_cloth.csv", data);
+    lab::write_svg(chart, report.path("finer_cloth.svg"));
+    report.say("cost of a finer cloth grows as (points along a side)^" + lab::rounded(slope, "%.2f") + "; " +
+               lab::rounded(finest_in_time, "%.0f") + " along a side still run as fast as the clock");
+}
+
+}  // namespace
+
+void scale(lab::Report& report) {
+    report.heading("Many particles: time per particle-step [ns], and how many times the machine's floor");
+    std::vector<Kind> kinds{{"anchored springs", "anchored", "anchored", {}},
+                            {"chain", "in a chain", "chain", {}},
+                            {"cloth", "in a cloth", "cloth", {}}};
+    for (const std::size_t n : std::vector<std::size_t>{10, 32, 100, 316, 1000, 3162, 10'000, 31'623, 100'000,
+                                                        316'228, 1'000'000}) {
+        kinds[0].times.push_back(time_anchored(n));
+        kinds[1].times.push_back(time_net(timed_chain(n)));
+        kinds[2].times.push_back(time_net(timed_cloth(n)));
+    }
+    lab::Table data{
+        {"scene", "particles", "three_verbs_ns", "one_pass_ns", "floor_streaming_ns", "floor_arithmetic_ns"},
+        {}};
+    lab::Table shown{{"scene", "particles", "three verbs", "one pass", "floor", "times the floor"}, {}};
+    for (const Kind& kind : kinds)
+        for (const Times& t : kind.times) {
+            data.add({kind.name, std::to_string(t.particles), lab::exact_digits(t.verbs),
+                      lab::exact_digits(t.one_pass), lab::exact_digits(t.streaming),
+                      lab::exact_digits(t.arithmetic)});
+            shown.add({kind.name, std::to_string(t.particles), lab::rounded(t.verbs),
+                       lab::rounded(t.one_pass), lab::rounded(t.floor()),
+                       lab::rounded(t.one_pass / t.floor(), "%.2f")});
+        }
+    report.print(shown);
+    report.data("scale.csv", data);
+    draw_time_against_number(report, kinds);
+    draw_against_floor(report, kinds);
+    finer_cloth(report, kinds[2].times);
+}
+
+}  // namespace nutshell
