@@ -17,8 +17,9 @@ std::vector<Taken> covered(const Drawing& drawing, const Camera& camera, Size si
         size.height / 2.0 / std::tan(camera.field_of_view / 2);  // pixels of a metre one metre away
     for (const Ball& ball : drawing.balls()) {
         const Vector3d p = project(camera, size, ball.centre);
+        if (p.z() <= 0) continue;
         const double r = 0.9 * ball.radius * scale / p.z();
-        if (p.z() > 0) all.push_back({p.x() - r, p.y() - r, p.x() + r, p.y() + r});
+        all.push_back({p.x() - r, p.y() - r, p.x() + r, p.y() + r});
     }
     const double step = 6;  // between two points of a trail that count [pixels]
     for (const Trail& trail : drawing.trails()) {

@@ -43,6 +43,7 @@ Vector3d View::to_camera(const Vector3d& point) const {
 Vector3d project(const Camera& camera, Size size, const Vector3d& point) {
     const View view(camera, double(size.width) / size.height);
     const Vector3d p = view.to_camera(point);
+    if (p.z() == 0) return {size.width / 2.0, size.height / 2.0, 0};  // beside the eye: on no picture
     const double half_height = size.height / 2.0, scale = half_height / (view.tangent * -p.z());
     return {size.width / 2.0 + scale * p.x(), half_height - scale * p.y(), -p.z()};
 }

@@ -127,7 +127,7 @@ Triangles tube(const std::vector<Vector3d>& given, double radius, int sides) {
     Vector3d across = (at(1) - at(0)).unitOrthogonal();
     for (int i = 0; i < n; ++i) {
         const Vector3d before = at(i) - at(i - 1), after = at(i + 1) - at(i);
-        const Vector3d sum = before.stableNormalized() + after.stableNormalized();
+        const Vector3d sum = before.normalized() + after.normalized();
         const Vector3d along = sum.norm() > 1e-6 ? sum.normalized() : before.normalized();
         const Vector3d carried =
             across - along * along.dot(across);  // carried along, so that it does not twist
@@ -158,7 +158,7 @@ Triangles triangles_of(const Mesh& mesh) {
     Triangles out;
     if (!mesh.smooth) {
         for (const auto& t : mesh.triangles) {
-            const Vector3d normal = cross(t).stableNormalized();
+            const Vector3d normal = cross(t).normalized();
             auto corner = [&](int k) { return Corner{mesh.points[std::size_t(t[std::size_t(k)])], normal}; };
             push(out, corner(0), corner(1), corner(2));
         }
@@ -173,7 +173,7 @@ Triangles triangles_of(const Mesh& mesh) {
         }
     }
     for (std::size_t i = 0; i < normals.size(); ++i) {
-        out.vertices.push_back({mesh.points[i].cast<float>(), normals[i].stableNormalized().cast<float>()});
+        out.vertices.push_back({mesh.points[i].cast<float>(), normals[i].normalized().cast<float>()});
     }
     return out;
 }

@@ -1,416 +1,25 @@
 #include "nutshell/picture/render.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <memory>
 #include <mutex>
 #include <stdexcept>
 
-#include "gl.hpp"
-#include "grid.hpp"
-#include "pieces.hpp"
-#include "ribbon.hpp"
-#include "shaders.hpp"
+#include "studio.hpp"
 #include "words.hpp"
 
 namespace nutshell::picture {
 
 namespace {
 
-using Eigen::Matrix4d, Eigen::Vector2d, Eigen::Vector3d, Eigen::Vector3f, Eigen::Vector4d;
-
-/// What is made once and kept: the context and its programs.
-struct Studio {
-    Context context;
-    gl::Program solid{shaders::solid_vertex, std::string(shaders::sunlight) + shaders::solid_fragment};
-    gl::Program ground{shaders::solid_vertex, std::string(shaders::sunlight) + shaders::ground_fragment};
-    gl::Program depth{shaders::solid_vertex, shaders::nothing_fragment};
-    gl::Program sky{shaders::sky_vertex, shaders::sky_fragment};
-    gl::Program trail{shaders::trail_vertex, shaders::trail_fragment};
-    gl::Program glow{shaders::trail_vertex, shaders::glow_fragment};
-
-    /// The one studio, for whoever holds the lock.
-    static Studio& get(const std::lock_guard<std::mutex>&) {
-        static Studio studio;
-        return studio;
-    }
-};
-
 std::mutex& studio_door() {
     static std::mutex door;
     return door;
 }
 
-/// World (in the frame) to clip coordinates.
-struct Projection {
-    Matrix4d matrix;
-    double near;
-};
-
-Projection projection(const View& view, const Vector3d& eye, double near, double far) {
-    Matrix4d look = Matrix4d::Identity();
-    look.row(0).head<3>() = view.right.transpose();
-    look.row(1).head<3>() = view.up.transpose();
-    look.row(2).head<3>() = view.back.transpose();
-    look.topRightCorner<3, 1>() = -(look.topLeftCorner<3, 3>() * eye);
-    Matrix4d lens = Matrix4d::Zero();
-    lens(0, 0) = 1 / (view.tangent * view.aspect);
-    lens(1, 1) = 1 / view.tangent;
-    lens(2, 2) = (far + near) / (near - far);
-    lens(2, 3) = 2 * far * near / (near - far);
-    lens(3, 2) = -1;
-    return {lens * look, near};
+/// The one studio, for whoever holds the lock.
+Studio& the_studio(const std::lock_guard<std::mutex>&) {
+    static Studio studio;
+    return studio;
 }
-
-/// How the sun sees what casts shadows: a map to the cube from 0 to 1, and its sides' lengths in the frame.
-struct SunView {
-    Matrix4d matrix = Matrix4d::Identity();
-    Vector3d sides = Vector3d::Ones();
-};
-
-SunView sun_view(const std::vector<Extent>& casters, const Vector3d& sun) {
-    SunView out;
-    if (casters.empty()) {
-        out.matrix(0, 3) = 10;  // everything lies outside, so everything is lit
-        return out;
-    }
-    const Vector3d right = sun.unitOrthogonal(), up = sun.cross(right);
-    Eigen::Matrix3d axes;
-    axes << right.transpose(), up.transpose(), -sun.transpose();
-    Vector3d low = Vector3d::Constant(std::numeric_limits<double>::infinity()), high = -low;
-    for (const Extent& caster : casters) {
-        const Vector3d p = axes * caster.centre;
-        low = low.cwiseMin(p - Vector3d::Constant(caster.radius));
-        high = high.cwiseMax(p + Vector3d::Constant(caster.radius));
-    }
-    const Vector3d air = 0.02 * (high - low) + Vector3d::Constant(0.01);
-    low -= air;
-    high += air;
-    out.sides = high - low;
-    out.matrix.topLeftCorner<3, 3>() = out.sides.cwiseInverse().asDiagonal() * axes;
-    out.matrix.topRightCorner<3, 1>() = -low.cwiseQuotient(out.sides);
-    return out;
-}
-
-/// The work on one picture.
-class Painter {
-  public:
-    Painter(Studio& studio, const Drawing& drawing, const Camera& camera, Size size, const Quality& quality)
-        : studio_(studio),
-          drawing_(drawing),
-          size_(size),
-          quality_(quality),
-          samples_(size.width * quality.samples, size.height * quality.samples),
-          view_(camera, double(size.width) / size.height),
-          frame_(frame_of(drawing, camera)),
-          eye_(frame_(camera.eye)),
-          sun_(drawing.sun()),
-          up_(drawing.ground().normal),
-          ground_height_(drawing.ground().height / frame_.unit - up_.dot(frame_.origin) / frame_.unit),
-          pieces_(drawing, frame_, view_, 2 * view_.tangent / samples_.y()),
-          projection_(fit_depths()),
-          sun_view_(sun_view(pieces_.casters(), sun_)) {}
-
-    Image paint() {
-        const gl::Canvas canvas(int(samples_.x()), int(samples_.y()));
-        const gl::ShadowMap shadows(quality_.shadow_map);
-        const Triangles& list = pieces_.triangles();
-        const gl::Buffer things(list.vertices.data(), list.vertices.size() * sizeof(Vertex), {3, 3},
-                                list.indices);
-        glDisable(GL_BLEND);
-        glEnable(GL_DEPTH_TEST);
-        glDepthFunc(GL_LEQUAL);
-        paint_shadow_map(shadows, things);
-        canvas.use();
-        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-        glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
-        shadows.bind();
-        paint_sky();
-        if (drawing_.ground().visible) {
-            paint_ground();
-            paint_trails(true);
-        }
-        paint_glow();
-        things.use();
-        paint_solids();
-        paint_trails(false);
-        things.use();
-        paint_ghosts();
-        const std::vector<unsigned char> samples = canvas.pixels();
-        if (const GLenum error = glGetError(); error != GL_NO_ERROR) {
-            throw std::runtime_error("picture: OpenGL error " + std::to_string(error));
-        }
-        return average(samples);
-    }
-
-  private:
-    /// Nearest and farthest depth that matter: things, and the ground as far as it can be told from the sky.
-    Projection fit_depths() const {
-        double nearest = std::numeric_limits<double>::infinity(), farthest = 0;
-        for (const Extent& extent : drawing_.extents()) {
-            const double depth = -view_.back.dot(frame_(extent.centre) - eye_),
-                         radius = extent.radius / frame_.unit;
-            nearest = std::min(nearest, depth - radius);
-            farthest = std::max(farthest, depth + radius);
-        }
-        const double focus = eye_.norm();
-        farthest = std::max(farthest, focus + 1);
-        if (drawing_.ground().visible) {
-            nearest = std::min(nearest, std::abs(up_.dot(eye_) - ground_height_));
-            farthest = std::max(farthest, focus + 2 * ground_reach());
-        }
-        return projection(view_, eye_, std::clamp(0.6 * nearest, 2e-3 * focus, focus), farthest);
-    }
-
-    double ground_reach() const { return 40 + 4 * eye_.norm(); }
-
-    void paint_shadow_map(const gl::ShadowMap& shadows, const gl::Buffer& things) const {
-        shadows.use();
-        glClear(GL_DEPTH_BUFFER_BIT);
-        Matrix4d to_clip = Matrix4d::Identity();
-        to_clip.diagonal() << 2, 2, 2, 1;
-        to_clip.topRightCorner<3, 1>().setConstant(-1);
-        studio_.depth.use();
-        studio_.depth.set("view_projection", Eigen::Matrix4f((to_clip * sun_view_.matrix).cast<float>()));
-        things.use();
-        for (const Piece& piece : pieces_.all()) {
-            if (!piece.shadow) continue;
-            studio_.depth.set("model", piece.model);
-            draw_triangles(piece, piece.shadow_run);
-        }
-    }
-
-    void set_light(const gl::Program& program) const {
-        const double texel = std::max(sun_view_.sides.x(), sun_view_.sides.y()) / quality_.shadow_map;
-        const double step = std::max(1.3 * texel, 0.0022);  // softness: a share of the drawing's radius
-        program.set("view_projection", Eigen::Matrix4f(projection_.matrix.cast<float>()));
-        program.set("shadow_view", Eigen::Matrix4f(sun_view_.matrix.cast<float>()));
-        program.set("shadow_step",
-                    Eigen::Vector2f(float(step / sun_view_.sides.x()), float(step / sun_view_.sides.y())));
-        program.set("shadow_lift", 2.2 * step);
-        program.set("shadow_map", 0);
-        program.set("sun", Vector3f(sun_.cast<float>()));
-        program.set("up", Vector3f(up_.cast<float>()));
-    }
-
-    void paint_sky() const {
-        // the horizon's height on the picture, 0 at its bottom and 1 at its top
-        const double slope = -view_.back.dot(up_) / std::max(1e-6, view_.up.dot(up_));
-        const double horizon =
-            drawing_.ground().visible ? std::clamp(0.5 - 0.5 * slope / view_.tangent, -2.0, 2.0) : 0.0;
-        glDisable(GL_DEPTH_TEST);
-        studio_.sky.use();
-        studio_.sky.set("top", linear(drawing_.sky().top));
-        studio_.sky.set("horizon", linear(drawing_.sky().horizon));
-        studio_.sky.set("horizon_height", std::min(horizon, 0.9));
-        const gl::Buffer nothing(nullptr, 0, {});
-        glDrawArrays(GL_TRIANGLES, 0, 3);
-        glEnable(GL_DEPTH_TEST);
-    }
-
-    void paint_ground() const {
-        const GridAxes grid = grid_axes(drawing_.ground());
-        const double spacing = grid_spacing(drawing_.ground(), frame_.unit);
-        const Vector3d focus = up_ * ground_height_;  // below the drawing's middle
-        std::vector<Vertex> square;
-        const double reach = ground_reach();
-        for (const auto& [u, v] : {std::pair{-1, -1}, {1, -1}, {1, 1}, {-1, -1}, {1, 1}, {-1, 1}}) {
-            const Vector3d corner = focus + reach * (u * grid.u + v * grid.v);
-            square.push_back({corner.cast<float>(), up_.cast<float>()});
-        }
-        const auto offset = [&](const Vector3d& axis) {
-            return float(std::fmod(axis.dot(frame_.origin) / spacing, 10.0));
-        };
-        const gl::Buffer buffer(square.data(), square.size() * sizeof(Vertex), {3, 3});
-        const gl::Program& program = studio_.ground;
-        program.use();
-        set_light(program);
-        program.set("model", Eigen::Matrix4f(Eigen::Matrix4f::Identity()));
-        program.set("normal_matrix", Eigen::Matrix3f(Eigen::Matrix3f::Identity()));
-        program.set("colour", linear(palette::ground));
-        program.set("horizon", linear(drawing_.sky().horizon));
-        program.set("focus", Vector3f(focus.cast<float>()));
-        program.set("grid_u", Vector3f(grid.u.cast<float>()));
-        program.set("grid_v", Vector3f(grid.v.cast<float>()));
-        program.set("grid_offset", Eigen::Vector2f(offset(grid.u), offset(grid.v)));
-        program.set("squares", frame_.unit / spacing);
-        glDrawArrays(GL_TRIANGLES, 0, 6);
-    }
-
-    void draw(const Piece& piece) const {
-        studio_.solid.set("model", piece.model);
-        studio_.solid.set("normal_matrix", piece.normal_matrix);
-        studio_.solid.set("colour", piece.colour);
-        studio_.solid.set("kind", piece.ghost ? 1 : piece.shines ? 2 : 0);
-        studio_.solid.set("closed", piece.closed ? 1 : 0);
-        draw_triangles(piece, piece.run);
-    }
-
-    static void draw_triangles(const Piece& piece, Run run) {
-        if (piece.closed) glEnable(GL_CULL_FACE);
-        glDrawElements(GL_TRIANGLES, run.count, GL_UNSIGNED_INT,
-                       reinterpret_cast<const void*>(std::size_t(run.first) * sizeof(std::uint32_t)));
-        glDisable(GL_CULL_FACE);
-    }
-
-    /// Behind everything else: what stands before it or near it covers it.
-    void paint_glow() const {
-        const double reach = 3.2;  // radii
-        glEnable(GL_BLEND);
-        glDisable(GL_DEPTH_TEST);
-        studio_.glow.use();
-        for (const Piece& piece : pieces_.all()) {
-            if (!piece.shines) continue;
-            std::vector<RibbonVertex> square;
-            for (const auto& [x, y] : {std::pair{-1.0F, -1.0F}, {1.0F, -1.0F}, {-1.0F, 1.0F}, {1.0F, 1.0F}}) {
-                const Vector3d offset =
-                    reach * piece.extent.radius * (double(x) * view_.right + double(y) * view_.up);
-                const Vector3f& c = piece.colour;
-                square.push_back({to_clip(piece.extent.centre + offset).cast<float>(),
-                                  {x, y},
-                                  {c.x(), c.y(), c.z(), 0.9F}});
-            }
-            const gl::Buffer buffer(square.data(), square.size() * sizeof(RibbonVertex), {4, 2, 4});
-            glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
-        }
-        glEnable(GL_DEPTH_TEST);
-        glDisable(GL_BLEND);
-    }
-
-    void paint_solids() const {
-        studio_.solid.use();
-        set_light(studio_.solid);
-        studio_.solid.set("eye", Vector3f(eye_.cast<float>()));
-        for (const Piece* solid : sorted_by_distance(false)) draw(*solid);  // what is hidden costs little
-    }
-
-    /// The solids or the ghosts, nearest first.
-    std::vector<const Piece*> sorted_by_distance(bool ghosts) const {
-        std::vector<const Piece*> found;
-        for (const Piece& piece : pieces_.all()) {
-            if (piece.ghost == ghosts) found.push_back(&piece);
-        }
-        std::stable_sort(found.begin(), found.end(), [&](const Piece* a, const Piece* b) {
-            return (a->extent.centre - eye_).squaredNorm() < (b->extent.centre - eye_).squaredNorm();
-        });
-        return found;
-    }
-
-    /// From far to near, each first into the depths alone, so that only its nearest face is seen.
-    void paint_ghosts() const {
-        std::vector<const Piece*> ghosts = sorted_by_distance(true);
-        std::reverse(ghosts.begin(), ghosts.end());
-        studio_.solid.use();
-        set_light(studio_.solid);
-        studio_.solid.set("eye", Vector3f(eye_.cast<float>()));
-        for (const Piece* ghost : ghosts) {
-            glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-            draw(*ghost);
-            glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-            glEnable(GL_BLEND);
-            draw(*ghost);
-            glDisable(GL_BLEND);
-        }
-    }
-
-    Vector4d to_clip(const Vector3d& point) const { return projection_.matrix * point.homogeneous(); }
-
-    /// The trails, or their shadows on the ground.
-    void paint_trails(bool shadows) const {
-        const double pixel = samples_.x() / 960;
-        glEnable(GL_BLEND);
-        glDepthMask(GL_FALSE);
-        studio_.trail.use();
-        for (const Trail& trail : drawing_.trails()) {
-            if (shadows && !trail.shadow) continue;
-            const double width = trail.width * pixel * (shadows ? 0.8 : 1);
-            studio_.trail.set("half_width", width / 2);
-            studio_.trail.set("dash", trail.dashed ? 3.6 * width : 0.0);
-            studio_.trail.set("gap", trail.dashed ? 2.6 * width : 0.0);
-            const Vector3f colour = shadows ? linear(palette::shadow) : linear(trail.colour);
-            for (const auto& run : visible_runs(trail, shadows)) {
-                const std::vector<RibbonVertex> strip = ribbon(run, colour, width / 2, samples_);
-                if (strip.empty()) continue;
-                const gl::Buffer buffer(strip.data(), strip.size() * sizeof(RibbonVertex), {4, 2, 4});
-                glDrawArrays(GL_TRIANGLE_STRIP, 0, GLsizei(strip.size()));
-            }
-        }
-        glDepthMask(GL_TRUE);
-        glDisable(GL_BLEND);
-    }
-
-    /// A trail's points in clip coordinates, cut where it leaves the space in front of the eye.
-    std::vector<std::vector<RibbonPoint>> visible_runs(const Trail& trail, bool shadow) const {
-        const double lift =
-            2e-3;  // share of the way to the eye, so that a line on a surface is not swallowed
-        const double start = trail.opacity_at_start < 0 ? trail.opacity : trail.opacity_at_start;
-        const double fall = up_.dot(sun_);
-        std::vector<std::vector<RibbonPoint>> runs(1);
-        std::vector<std::pair<Vector3d, double>> points;
-        for (std::size_t i = 0; i < trail.points.size(); ++i) {
-            Vector3d p = frame_(trail.points[i]);
-            const double share = double(i) / double(trail.points.size() - 1);
-            double opacity = start + share * (trail.opacity - start);
-            if (shadow) {
-                const double height = up_.dot(p) - ground_height_;
-                opacity = height > -1e-6 && fall > 0.05 ? 0.28 * opacity : 0;
-                p -= sun_ * height / std::max(fall, 0.05);
-            }
-            points.emplace_back(p + lift * (eye_ - p), opacity);
-        }
-        const double edge = 1.01 * projection_.near;
-        for (std::size_t i = 0; i < points.size(); ++i) {
-            const Vector4d clip = to_clip(points[i].first);
-            const bool inside = clip.w() > edge;
-            if (i > 0) {
-                const Vector4d before = to_clip(points[i - 1].first);
-                if (inside != (before.w() > edge)) {
-                    const double share = (edge - before.w()) / (clip.w() - before.w());
-                    const Vector4d cut = before + share * (clip - before);
-                    if (inside) runs.emplace_back();
-                    runs.back().push_back({cut, points[i].second});
-                }
-            }
-            if (inside) runs.back().push_back({clip, points[i].second});
-        }
-        return runs;
-    }
-
-    Image average(const std::vector<unsigned char>& samples) const {
-        const int n = quality_.samples, half = n * n / 2;
-        Image image{size_.width, size_.height, {}};
-        image.rgb.resize(3 * std::size_t(size_.width) * std::size_t(size_.height));
-        const std::size_t row = 3 * std::size_t(size_.width) * std::size_t(n);
-        std::size_t out = 0;
-        for (int y = 0; y < size_.height; ++y) {
-            for (int x = 0; x < size_.width; ++x) {
-                for (std::size_t c = 0; c < 3; ++c) {
-                    int sum = half;
-                    for (int j = 0; j < n; ++j) {
-                        const std::size_t first = row * std::size_t(y * n + j) + 3 * std::size_t(x * n) + c;
-                        for (int i = 0; i < n; ++i) sum += samples[first + 3 * std::size_t(i)];
-                    }
-                    image.rgb[out++] = std::uint8_t(sum / (n * n));
-                }
-            }
-        }
-        return image;
-    }
-
-    Studio& studio_;
-    const Drawing& drawing_;
-    const Size size_;
-    const Quality quality_;
-    const Vector2d samples_;
-    const View view_;
-    const Frame frame_;
-    const Vector3d eye_, sun_, up_;
-    const double ground_height_;
-    const Pieces pieces_;
-    const Projection projection_;
-    const SunView sun_view_;
-};
 
 }  // namespace
 
@@ -426,9 +35,8 @@ Image render(const Drawing& drawing, const Camera& camera, Size size, const Qual
     }
     check(camera);
     const std::lock_guard<std::mutex> lock(studio_door());
-    Studio& studio = Studio::get(lock);
-    studio.context.use();
-    Image image = Painter(studio, drawing, camera, size, quality).paint();
+    the_studio(lock).context.use();
+    Image image = paint(the_studio(lock), drawing, camera, size, quality);
     write_words(image, drawing, camera, size);
     return image;
 }
@@ -436,7 +44,7 @@ Image render(const Drawing& drawing, const Camera& camera, Size size, const Qual
 bool available() {
     try {
         const std::lock_guard<std::mutex> lock(studio_door());
-        Studio::get(lock);
+        the_studio(lock);
         return true;
     } catch (const std::exception&) {
         return false;
@@ -446,7 +54,7 @@ bool available() {
 std::string backend() {
     try {
         const std::lock_guard<std::mutex> lock(studio_door());
-        Studio::get(lock).context.use();
+        the_studio(lock).context.use();
         auto name = [](GLenum what) { return std::string(reinterpret_cast<const char*>(glGetString(what))); };
         return Context::name() + ": " + name(GL_RENDERER) + ", OpenGL " + name(GL_VERSION);
     } catch (const std::exception& problem) {
