@@ -2,6 +2,7 @@
 
 #define STB_IMAGE_IMPLEMENTATION
 #include <stb_image.h>
+#include <unistd.h>
 
 #include <cmath>
 
@@ -35,6 +36,10 @@ Image read_png(const std::filesystem::path& file) {
     image.rgb.assign(bytes, bytes + 3 * std::size_t(image.width) * std::size_t(image.height));
     stbi_image_free(bytes);
     return image;
+}
+
+std::filesystem::path own_path(const std::string& name) {
+    return std::filesystem::temp_directory_path() / ("nutshell_" + std::to_string(getpid()) + "_" + name);
 }
 
 double grey(const Image& image, double x, double y) {

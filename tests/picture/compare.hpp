@@ -1,6 +1,7 @@
 // How pictures are compared in tests.
 #pragma once
 #include <filesystem>
+#include <string>
 
 #include "nutshell/picture/image.hpp"
 
@@ -9,6 +10,9 @@
 double difference(const nutshell::picture::Image& a, const nutshell::picture::Image& b);
 
 nutshell::picture::Image read_png(const std::filesystem::path& file);
+
+/// A name of this process alone in the temporary folder: tests run beside each other.
+std::filesystem::path own_path(const std::string& name);
 
 /// Lightness of a pixel as a grey screen shows it, 0 to 1.
 double grey(const nutshell::picture::Image& image, double x, double y);

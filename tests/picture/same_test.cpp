@@ -14,7 +14,7 @@ namespace {
 
 /// Runs a helper program that draws the small scene, with this in its environment.
 pic::Image drawn_by(const std::string& program, const std::string& environment = "") {
-    const fs::path file = fs::temp_directory_path() / "nutshell_picture_same.png";
+    const fs::path file = own_path("same.png");
     fs::remove(file);
     const std::string command = environment + " '" + program + "' '" + file.string() + "' > /dev/null";
     INFO(command);
@@ -25,9 +25,9 @@ pic::Image drawn_by(const std::string& program, const std::string& environment =
     return image;
 }
 
-// The yardstick: Mesa's two software drivers, llvmpipe and softpipe, which share no rasteriser, differ on the small
-// scene by 0.023 levels (Mesa 22.3.6); four times that is allowed. The gold box moved by 1 cm, less than half a
-// pixel of that picture, makes 0.20.
+// The yardstick: Mesa's two software drivers, llvmpipe and softpipe, which share no rasteriser, differ on the
+// small scene by 0.023 levels (Mesa 22.3.6); four times that is allowed. The gold box moved by 1 cm, less
+// than half a pixel of that picture, makes 0.20.
 constexpr double another_mesa = 0.1;
 
 }  // namespace

@@ -57,7 +57,8 @@ TEST_CASE("a ball is drawn where it is projected, as large as it must be") {
     for (const Vector3d& centre : {Vector3d(0.3, 0.1, 0), Vector3d(-1, 0.8, 0.5), Vector3d(1.6, -0.7, -1)}) {
         pic::Drawing d = empty();
         d.add(pic::Ball{.centre = centre, .radius = radius});
-        const Spot spot = changed(pic::render(d, camera, size), pic::render(empty(), camera, size), 100);  // half of what the ball darkens
+        const Spot spot = changed(pic::render(d, camera, size), pic::render(empty(), camera, size),
+                                  100);  // half of what the ball darkens
         const Vector3d p = pic::project(camera, size, centre);
         CHECK(std::abs(spot.x - p.x()) < 0.6);
         CHECK(std::abs(spot.y - p.y()) < 0.6);

@@ -115,7 +115,7 @@ TEST_CASE("joined pictures stand side by side, with their words") {
 }
 
 TEST_CASE("a saved picture reads back, and its note says how it was made") {
-    const fs::path folder = fs::temp_directory_path() / "nutshell_picture_test";
+    const fs::path folder = own_path("picture_test");
     fs::remove_all(folder);
     const pic::Image image = pic::render(with_label({0, 1, 0}, "here"), camera, size);
     const pic::Note note{

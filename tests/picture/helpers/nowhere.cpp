@@ -1,4 +1,6 @@
 // Built without graphics: a program that draws must go on, leave a note with the reason, and no picture.
+#include <unistd.h>
+
 #include <fstream>
 #include <iostream>
 #include <iterator>
@@ -7,7 +9,8 @@
 
 int main() {
     namespace pic = nutshell::picture;
-    const std::filesystem::path folder = std::filesystem::temp_directory_path() / "nutshell_picture_nowhere";
+    const std::filesystem::path folder =
+        std::filesystem::temp_directory_path() / ("nutshell_nowhere_" + std::to_string(getpid()));
     std::filesystem::create_directories(folder);
     std::ofstream(folder / "a.png") << "of an earlier run";
     pic::Drawing drawing;
