@@ -44,7 +44,7 @@ inline constexpr double fixed_step = 1.0 / 120;   ///< of the game loop [s]
 struct Shown {
     double time;         ///< real time [s]
     Vector3 following;   ///< one step a frame, as long as the frame
-    Vector3 fixed;       ///< fixed steps, drawn between the last two: one step late
+    Vector3 fixed;       ///< fixed steps, drawn between the last two: one step behind the clock
 };
 
 /// Plays the throw with semi-implicit Euler on a machine, and calls look(shown) for every frame.

@@ -22,6 +22,8 @@ struct History {
     std::string name, key;
     std::vector<double> orbits, energy, momentum;   // relative changes, against time in orbits
     double largest_energy = 0, largest_momentum = 0, turn = 0;
+    double tilt = 0;   // of the first ellipse: direction of the first aphelion, against the exact one [rad]
+    double year = 0;   // its length over the exact one, minus 1
 };
 
 template <class Method>
@@ -39,7 +41,10 @@ History history_of(const std::string& name, const std::string& key, const Method
         h.largest_momentum = std::max(h.largest_momentum, momentum_change);
         aphelia.look(planet.position);
     });
-    if (key != "euler") h.turn = aphelia.turn_per_orbit();
+    if (key == "euler") return h;
+    h.turn = aphelia.turn_per_orbit();
+    h.tilt = std::remainder(aphelia.angles.front() - pi, 2 * pi) - h.turn / 2;   // half a turn belongs to the first half year
+    h.year = aphelia.samples_per_orbit() / steps_an_orbit - 1;
     return h;
 }
 
@@ -51,15 +56,19 @@ void conservation(lab::Report& report) {
     lab::Table data{{"orbits", "method", "energy_change", "angular_momentum_change"}, {}};
     lab::Chart energy;
     energy.title = "Who keeps the energy?";
-    energy.subtitle = "Planet, e = 0.6, " + std::to_string(steps_an_orbit) + " steps an orbit. Change of the energy, relative.";
-    energy.x = {"orbits", lab::Scale::linear, 0, 5};
+    energy.subtitle = "Planet, e = 0.6, " + std::to_string(steps_an_orbit) + " steps a year.";
+    energy.x = {"years", lab::Scale::linear, 0, 5};
     energy.y = {"relative change of the energy", lab::Scale::linear, -0.1, 0.5};
     for (const auto& h : histories) {
         table.add({h.name, lab::rounded(h.largest_energy), lab::rounded(h.largest_momentum),
                    h.key == "euler" ? "-" : lab::rounded(h.turn, "%.5f")});
         report.number("planet." + h.key + ".energy_change", h.largest_energy);
         report.number("planet." + h.key + ".momentum_change", h.largest_momentum);
-        if (h.key != "euler") report.number("planet." + h.key + ".turn", h.turn, "rad");
+        if (h.key != "euler") {
+            report.number("planet." + h.key + ".turn", h.turn, "rad");
+            report.number("planet." + h.key + ".tilt", h.tilt, "rad");
+            report.number("planet." + h.key + ".year_too_long", h.year);
+        }
         for (std::size_t i = 0; i < h.orbits.size(); i += 10)
             data.add({lab::exact_digits(h.orbits[i]), h.name, lab::exact_digits(h.energy[i]), lab::exact_digits(h.momentum[i])});
         lab::Series series{h.name};
@@ -80,7 +89,7 @@ void orders(lab::Report& report) {
     lab::Chart chart;
     chart.title = "A first-order method in a second-order coat";
     chart.subtitle = "Planet, one orbit: the largest error on the way, and the error at the end of the orbit.";
-    chart.x = {"step dt [s]", lab::Scale::logarithmic};
+    chart.x = {"step dt [year/2π]", lab::Scale::logarithmic};
     chart.y = {"position error [a]", lab::Scale::logarithmic};
     chart.guides = {1, 2};
     const auto study = [&](const std::string& name, const std::string& key, const auto& method, long fewest) {

@@ -8,7 +8,8 @@ namespace nutshell {
 /// Watches positions in the x-y plane go by and notes the direction [rad] in which each aphelion lies.
 /// Between samples the squared distance is taken for a parabola through three of them, so the angle is good to O(h^3).
 struct Aphelia {
-    std::vector<double> angles;  ///< of each aphelion, counted on from orbit to orbit without its whole turns
+    std::vector<double> angles;   ///< direction of each aphelion [rad]
+    std::vector<double> samples;  ///< when it was: how many samples after the first, with the part of one
 
     void look(const Vector3& position) {
         before_ = here_, here_ = after_, after_ = position;
@@ -18,6 +19,12 @@ struct Aphelia {
         const double s = (r2 - r0) / (2 * (2 * r1 - r0 - r2));   // vertex, in steps from `here_`
         const Vector3 vertex = here_ + s * (after_ - before_) / 2 + s * s * (after_ - 2 * here_ + before_) / 2;
         angles.push_back(std::atan2(vertex.y(), vertex.x()));
+        samples.push_back(static_cast<double>(seen_ - 2) + s);
+    }
+    /// How many samples an orbit takes, from aphelion to aphelion. @throws std::invalid_argument before two aphelia
+    double samples_per_orbit() const {
+        require(samples.size() >= 2, "samples_per_orbit: fewer than two aphelia were seen: run for at least two orbits");
+        return (samples.back() - samples.front()) / static_cast<double>(samples.size() - 1);
     }
     /// Mean turn of the axis per orbit [rad], positive counter-clockwise. @throws std::invalid_argument before two aphelia
     double turn_per_orbit() const {

@@ -13,8 +13,8 @@ struct GameClock {
     int most_steps = 1000;  ///< a frame's limit; the time beyond it is dropped
 };
 
-/// Tells how many steps to make in this frame, and books them. If more than clock.most_steps
-/// are due, the surplus is dropped: the game slows down instead of freezing.
+/// Tells how many steps to make in this frame, and books them. If more than most_steps are
+/// due, the surplus is dropped: the game slows down instead of freezing.
 /// @param frame_time  real time since the last frame [s]
 /// @throws std::invalid_argument if the step is not positive or the frame time is negative
 inline int steps_due(GameClock& clock, double frame_time) {
@@ -29,8 +29,8 @@ inline int steps_due(GameClock& clock, double frame_time) {
     // end 1.8
 }
 
-/// What to draw: the state between the last two steps that belongs to the clock's owed time.
-/// Always one step behind the newest state, never jerky. @return position [m]
+/// What to draw: the state between the last two steps that belongs to the time owed.
+/// Always one step behind the clock, so never jerky. @return position [m]
 inline Vector3 drawn_position(const GameClock& clock, const PointMass& previous,
                               const PointMass& newest) {
     const double part = clock.owed / clock.step;

@@ -15,8 +15,8 @@ struct PointMass {
 };
 // [/state]
 
-/// Gives `body` back if it can be simulated. @throws std::invalid_argument if its mass is not greater than zero
-/// or any of its numbers is not finite.
+/// Gives `body` back if it can be simulated. @throws std::invalid_argument if its mass is not
+/// greater than zero or any of its numbers is not finite.
 inline PointMass checked(const PointMass& body) {
     require_positive(body.mass, "the mass of a point mass [kg]");
     require_finite(body.position, "the position of a point mass [m]");
@@ -25,17 +25,18 @@ inline PointMass checked(const PointMass& body) {
 }
 
 // [measure]
-/// Velocity [m/s] from two positions [m] that are dt [s] apart: the mean over the interval, which is
-/// the velocity at its middle if the acceleration is constant. Source: eq. (1).
+/// Velocity [m/s] from two positions [m] that are dt [s] apart: the mean over the interval,
+/// which is the velocity at its middle if the acceleration is constant. Source: eq. (1).
 /// @throws std::invalid_argument if dt is not finite and greater than zero
-inline Vector3 velocity_between(const Vector3& position, const Vector3& next_position, double dt) {
+inline Vector3 velocity_between(const Vector3& position, const Vector3& next_position,
+                                double dt) {
     require_positive(dt, "velocity_between: dt [s]");
     // exercise 1.1
     return (next_position - position) / dt;
     // end 1.1
 }
 
-/// Acceleration [m/s^2] at the middle one of three positions [m], dt [s] apart from each other.
+/// Acceleration [m/s^2] at the middle one of three positions [m], dt [s] from each other.
 /// Source: eq. (2) applied to two velocities of eq. (1).
 /// @throws std::invalid_argument if dt is not finite and greater than zero
 inline Vector3 acceleration_at(const Vector3& before, const Vector3& here, const Vector3& after,
@@ -53,20 +54,21 @@ inline void drift(PointMass& body, double dt) {
     body.position += body.velocity * dt;
 }
 
-/// Kick: a force [N], world frame, changes the velocity for dt seconds. Source: eqs. (7) and (9).
+/// Kick: a force [N], world frame, changes the velocity for dt seconds. Source: eqs. (7), (9).
 inline void kick(PointMass& body, const Vector3& force, double dt) {
     body.velocity += force / body.mass * dt;
 }
 // [/verbs]
 
-// The three methods below move any state that has a drift and a kick. `template <class State, class Forces>` reads
-// "for whatever type of state and whatever kind of function": the compiler fills in PointMass here, other states later.
+// The three methods below move any state that has a drift and a kick.
+// `template <class State, class Forces>` reads "for whatever type of state and whatever kind
+// of function": the compiler fills in PointMass here, other states later.
 
 // [euler]
 /// One step of Euler's method: drift with the velocity of the start of the step, then kick
 /// with the force of its start. First order; gains energy on every orbit and every spring.
 /// Source: eqs. (8)-(9).
-/// @param forces  called as forces(state, t), gives the push (here a force [N], world frame)
+/// @param forces  called as forces(state, t), gives the push (here a force [N], world axes)
 /// @param t  time at the start of the step [s]      @param dt  step [s]
 template <class State, class Forces>
 State euler(State state, const Forces& forces, double t, double dt) {
@@ -80,10 +82,10 @@ State euler(State state, const Forces& forces, double t, double dt) {
 // [/euler]
 
 // [semi_implicit_euler]
-/// One step of semi-implicit (symplectic) Euler: kick, then drift with the velocity the kick leaves.
+/// One step of semi-implicit (symplectic) Euler: kick, then drift with the new velocity.
 /// First order; keeps the energy of an orbit or a spring in a band.
 /// Source: eqs. (8)-(9) with their order exchanged.
-/// @param forces  called as forces(state, t), gives the push      @param t, dt  time and step [s]
+/// @param forces  called as forces(state, t), gives the push    @param t, dt  time, step [s]
 template <class State, class Forces>
 State semi_implicit_euler(State state, const Forces& forces, double t, double dt) {
     // exercise 1.4
@@ -95,10 +97,12 @@ State semi_implicit_euler(State state, const Forces& forces, double t, double dt
 // [/semi_implicit_euler]
 
 // [verlet]
-/// One step of velocity Verlet (leapfrog): half a kick, a drift, half a kick with the force of the new place.
-/// Second order for forces that depend on position and time; keeps the energy in a narrow band.
-/// @param forces  called as forces(state, t), gives the push      @param t, dt  time and step [s]
-/// Source: L. Verlet, Phys. Rev. 159 (1967) 98; in this form W. Swope et al., J. Chem. Phys. 76 (1982) 637.
+/// One step of velocity Verlet (leapfrog): half a kick, a drift, half a kick with the force of
+/// the new place. Second order for forces that depend on position and time; keeps the energy
+/// in a narrow band.
+/// @param forces  called as forces(state, t), gives the push    @param t, dt  time, step [s]
+/// Source: L. Verlet, Phys. Rev. 159 (1967) 98; in this form W. Swope et al., J. Chem. Phys.
+/// 76 (1982) 637.
 template <class State, class Forces>
 State verlet(State state, const Forces& forces, double t, double dt) {
     // exercise 1.5
@@ -111,9 +115,9 @@ State verlet(State state, const Forces& forces, double t, double dt) {
 // [/verlet]
 
 // [verlet_fsal]
-/// Verlet for many steps in a row: the push at the end of one step is that at the start of the
-/// next ("first same as last"). It is kept, so a step costs one evaluation instead of two. The
-/// same numbers as `verlet`, bit for bit, as long as the push depends on position and time
+/// Verlet for many steps in a row: the push at the end of one step is that at the start of
+/// the next ("first same as last"). It is kept, so a step costs one evaluation instead of two.
+/// The same numbers as `verlet`, bit for bit, as long as the push depends on position and time
 /// only. One object per run: it remembers.
 /// @tparam Push  what forces(state, t) gives
 template <class Push>
@@ -136,9 +140,10 @@ struct VerletFsal {
 enum class Method { euler, semi_implicit_euler, verlet };
 
 /// Computed minus exact position [m] after `duration` seconds of constant acceleration
-/// [m/s^2] in steps of dt [s]: -a T dt/2 for Euler, +a T dt/2 for semi-implicit Euler, nothing
+/// [m/s^2] in steps of dt [s]: -a T dt/2 for Euler, +a T dt/2 for semi-implicit Euler, zero
 /// for Verlet. Exact, not an estimate. Eq. (1.a).
-inline Vector3 throw_error(Method method, const Vector3& acceleration, double duration, double dt) {
+inline Vector3 throw_error(Method method, const Vector3& acceleration, double duration,
+                           double dt) {
     // exercise 1.6
     const Vector3 half_step_lag = acceleration * duration * dt / 2;
     if (method == Method::euler) return -half_step_lag;
@@ -148,9 +153,10 @@ inline Vector3 throw_error(Method method, const Vector3& acceleration, double du
 }
 
 /// The largest step [s] that divides `duration` [s] into whole steps and keeps Euler's error
-/// at its end within `tolerance` [m], under constant acceleration [m/s^2]: (1.a) solved for dt.
-/// @throws std::invalid_argument if tolerance or duration is not finite and greater than zero
-inline double euler_step_within(double tolerance, const Vector3& acceleration, double duration) {
+/// at its end within `tolerance` [m], under constant acceleration [m/s^2]: (1.a) solved.
+/// @throws std::invalid_argument if tolerance or duration is not finite and positive
+inline double euler_step_within(double tolerance, const Vector3& acceleration,
+                                double duration) {
     require_positive(tolerance, "euler_step_within: tolerance [m]");
     require_positive(duration, "euler_step_within: duration [s]");
     // exercise 1.7
