@@ -12,6 +12,13 @@ Verdict on_first(const Learner& learner, const std::string& body) {
     return learner.check_one({1, 1});
 }
 
+/// Words as they were before they were folded into lines.
+std::string flat(const std::string& words) {
+    std::string text = replaced(words, "\n", " ");
+    while (contains(text, "  ")) text = replaced(text, "  ", " ");
+    return text;
+}
+
 /// What a learner must never see.
 void is_plain(const Verdict& verdict) {
     for (const auto* word : {"template", "instantiation", "required from", "lambda", "Eigen::", "nutshell::", "build/", "sheet", "In file included"})
@@ -42,7 +49,7 @@ TEST_CASE("An answer that does not compile: the learner's own line first, in pla
         REQUIRE(lines.size() >= 3);
         CHECK_THAT(lines[0], ContainsSubstring("answers/01_newton/nutshell/newton.hpp:"));
         CHECK_THAT(lines[1], ContainsSubstring(each.line));
-        CHECK_THAT(verdict.words, ContainsSubstring(each.words));
+        CHECK_THAT(flat(verdict.words), ContainsSubstring(each.words));
         CHECK(lines.size() <= 5);
         is_plain(verdict);
     }
@@ -70,8 +77,8 @@ TEST_CASE("A changed signature, a deleted function, a missing include, an empty 
     Verdict verdict = learner.check_one(first);
     INFO(verdict.words);
     CHECK(verdict.outcome == Outcome::not_compiled);
-    CHECK_THAT(replaced(verdict.words, "\n ", ""), ContainsSubstring("velocity_between cannot be called as the chapter calls it. Its first line must stay as it was"));
-    CHECK_THAT(verdict.words, ContainsSubstring("Vector3 velocity_between(const Vector3& position"));
+    CHECK_THAT(flat(verdict.words), ContainsSubstring("velocity_between cannot be called as the chapter calls it. Its first line must stay as it was"));
+    CHECK_THAT(flat(verdict.words), ContainsSubstring("Vector3 velocity_between(const Vector3& position"));
     is_plain(verdict);
 
     learner.write(first, replaced(solved, "inline Vector3 velocity_between", "inline double velocity_between"));
@@ -82,17 +89,17 @@ TEST_CASE("A changed signature, a deleted function, a missing include, an empty 
     learner.write(first, replaced(solved, "velocity_between", "speed_between"));
     verdict = learner.check_one(first);
     CHECK(verdict.outcome == Outcome::not_compiled);
-    CHECK_THAT(verdict.words, ContainsSubstring("velocity_between cannot be called as the chapter calls it"));
+    CHECK_THAT(flat(verdict.words), ContainsSubstring("velocity_between cannot be called as the chapter calls it"));
 
     learner.write(first, replaced(solved, "// end 1.1", "#include <no_such_thing.hpp>\n    // end 1.1"));
     verdict = learner.check_one(first);
     CHECK(verdict.outcome == Outcome::not_compiled);
-    CHECK_THAT(verdict.words, ContainsSubstring("There is no file no_such_thing.hpp to include"));
+    CHECK_THAT(flat(verdict.words), ContainsSubstring("There is no file no_such_thing.hpp to include"));
 
     learner.write(first, "");
     verdict = learner.check_one(first);
     CHECK(verdict.name == "file empty");
-    CHECK_THAT(verdict.words, ContainsSubstring("newton.hpp is empty. ./course reset 1.1 writes it anew"));
+    CHECK_THAT(flat(verdict.words), ContainsSubstring("newton.hpp is empty. ./course reset 1.1 writes it anew"));
     CHECK_THAT(reset(learner.rooms, first), ContainsSubstring("is made anew"));
     CHECK(learner.text(first) == whole);
 
@@ -106,7 +113,7 @@ TEST_CASE("A changed signature, a deleted function, a missing include, an empty 
     verdict = learner.check_one(last);
     INFO(verdict.words);
     CHECK(verdict.outcome == Outcome::not_compiled);
-    CHECK_THAT(verdict.words, ContainsSubstring("The line #include <nutshell/newton.hpp> is missing in answers/01_newton/nutshell/game_loop.hpp"));
+    CHECK_THAT(flat(verdict.words), ContainsSubstring("The line #include <nutshell/newton.hpp> is missing in answers/01_newton/nutshell/game_loop.hpp"));
 }
 
 TEST_CASE("An answer that misbehaves is stopped, and the judge says how it did") {
@@ -131,8 +138,8 @@ TEST_CASE("An answer that misbehaves is stopped, and the judge says how it did")
         INFO(each.body << "\n" << verdict.words);
         CHECK(verdict.outcome != Outcome::passed);
         CHECK(verdict.name == each.name);
-        CHECK_THAT(replaced(verdict.words, "\n ", ""), ContainsSubstring(each.words));
-        CHECK_THAT(verdict.words, ContainsSubstring("next_position"));      // the input it happened on
+        CHECK_THAT(flat(verdict.words), ContainsSubstring(each.words));
+        CHECK_THAT(flat(verdict.words), ContainsSubstring("next_position"));      // the input it happened on
         is_plain(verdict);
     }
 }
@@ -157,7 +164,7 @@ TEST_CASE("What is no known mistake is told by its signature") {
         std::string body, name, words;
     };
     // one body for each exercise: they are compiled together
-    std::vector<Case> cases{
+    const std::vector<Case> cases{
         {{1, 1}, "    return (next_position - position) / dt * 180 / pi;", "wrong: wrong unit", "degrees stand where radians belong"},
         {{1, 2}, "    return (before - 2 * here + after) / (dt * dt * dt);", "wrong: a wrong power of dt", "divided by once too often"},
         {{1, 3}, "    const auto push = forces(state, t);\n    drift(state, dt);\n    kick(state, -push, dt);\n    return state;", "wrong: wrong sign",
@@ -167,19 +174,17 @@ TEST_CASE("What is no known mistake is told by its signature") {
          "wrong: wrong order", "where this method has dt^2"},
         {{1, 6}, "    if (method == Method::verlet) return Vector3::Zero();\n    return (method == Method::euler ? -3 : 3) * acceleration * duration * dt / 2;",
          "wrong: wrong factor", "3 times what it should be"},
-        {{1, 7}, "    return duration / std::ceil(acceleration.norm() * duration * duration / (2 * tolerance) + 1e-3);", "wrong: infinite or", ""},
+        {{1, 7}, "    return acceleration.norm() > 0 ? duration / std::ceil(acceleration.squaredNorm() * duration * duration / (2 * tolerance)) : duration;",
+         "wrong: wrong formula", "inputs: what is special about the one below?"},
         {{1, 8}, "    clock.owed += frame_time;\n    const int due = static_cast<int>(clock.owed / clock.step);\n    clock.owed -= due * clock.step;\n    return due > 3 ? 3 : due;",
          "wrong: wrong formula", "It is right for"},
     };
-    cases[6].body = "    return acceleration.norm() > 0 ? duration / std::ceil(acceleration.squaredNorm() * duration * duration / (2 * tolerance)) : duration;";
-    cases[6].name = "wrong: wrong formula";
-    cases[6].words = "inputs: what is special about the one below?";
     for (const Case& each : cases) learner.answer(each.number, each.body);
     const auto verdicts = learner.check_chapter(1);
     for (std::size_t i = 0; i < cases.size(); ++i) {
         INFO(cases[i].number.text() << "\n" << verdicts[i].words);
         CHECK(verdicts[i].name == cases[i].name);
-        CHECK_THAT(replaced(verdicts[i].words, "\n ", ""), ContainsSubstring(cases[i].words));
+        CHECK_THAT(flat(verdicts[i].words), ContainsSubstring(cases[i].words));
         is_plain(verdicts[i]);
     }
 }
@@ -242,7 +247,7 @@ TEST_CASE("Known mistakes, written as a learner writes them, are called by name"
             if (verdict.number != each.number) continue;
             INFO(each.number.text() << "\n" << verdict.words);
             CHECK(verdict.name == each.name);
-            CHECK_THAT(verdict.words, ContainsSubstring(each.words));
+            CHECK_THAT(flat(verdict.words), ContainsSubstring(each.words));
         }
 }
 
@@ -253,11 +258,11 @@ TEST_CASE("An exercise that builds on another one is blocked by it, not wrong") 
     Verdict verdict = learner.check_one(second);
     CHECK(verdict.outcome == Outcome::blocked);
     CHECK(verdict.name == "blocked by 1.1");
-    CHECK_THAT(verdict.words, ContainsSubstring("not answered yet. Answer that one first"));
+    CHECK_THAT(flat(verdict.words), ContainsSubstring("not answered yet. Answer that one first"));
     learner.answer(first, "    return (next_position - position) * dt;");
     verdict = learner.check_one(second);
     CHECK(verdict.name == "blocked by 1.1");
-    CHECK_THAT(verdict.words, ContainsSubstring("multiplied by dt"));
+    CHECK_THAT(flat(verdict.words), ContainsSubstring("multiplied by dt"));
     learner.answer(second, "    // velocity_between is of no help here\n    return (before - 2 * here + after) / dt;");
     CHECK(learner.check_one(second).outcome == Outcome::wrong);
     learner.solve(first);

@@ -172,7 +172,7 @@ Record with_values(Record reference, const std::vector<Values>& values) {
     return reference;
 }
 
-Diagnosis diagnose(const Exercise& exercise, const Record& reference, const std::vector<Values>& yours) {
+Diagnosis diagnose(const Exercise& exercise, const Record& reference, const std::vector<Values>& yours, bool other_states) {
     Diagnosis diagnosis;
     const auto& outputs = reference.outputs;
     const std::size_t count = std::min(outputs.size(), yours.size());
@@ -196,7 +196,7 @@ Diagnosis diagnose(const Exercise& exercise, const Record& reference, const std:
     if (count == outputs.size()) {
         const Record answer = with_values(reference, yours);
         for (const auto& mistake : exercise.mistakes) {
-            if (difference(reference, answer, record_of(mistake.attempt)) > tolerance) continue;
+            if (difference(reference, answer, record_of(mistake.attempt, other_states)) > tolerance) continue;
             diagnosis.name = mistake.name;
             diagnosis.origin = mistake.origin;
             diagnosis.words = {mistake.sentence, "What a player would see: " + mistake.symptom};

@@ -28,7 +28,8 @@ struct Diagnosis {
 };
 
 /// @param yours  values by output, all of them
+/// @param other_states  whether questions about states of other types were asked
 Diagnosis diagnose(const exercises::Exercise& exercise, const exercises::Record& reference,
-                   const std::vector<std::vector<double>>& yours);
+                   const std::vector<std::vector<double>>& yours, bool other_states = true);
 
 }  // namespace nutshell::judge

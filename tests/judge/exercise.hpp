@@ -109,6 +109,9 @@ class Paper {
     }
     bool stepped() const { return stepped_; }
     void next_level() { ++level_; }
+    /// False when questions about states of other types are to be left out: the learner's step moves one type only.
+    bool other_states() const { return other_states_; }
+    void leave_out_other_states() { other_states_ = false; }
 
 #ifndef NUTSHELL_SHEET
     const Record& record() const { return record_; }
@@ -116,7 +119,7 @@ class Paper {
 
   private:
     int level_ = 0;
-    bool stepped_ = false;
+    bool stepped_ = false, other_states_ = true;
 #ifndef NUTSHELL_SHEET
     void begin_input();
     void describe(const char* name_or_words);

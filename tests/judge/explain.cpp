@@ -10,8 +10,8 @@ namespace {
 
 /// "Eigen::CwiseBinaryOp<...>" and the like by names a learner knows; no namespaces, no lists of template arguments.
 std::string plain_types(std::string text) {
-    static const std::regex with(R"( \[with .*\])"), aka(R"( \{aka [^{}]*(\{[^{}]*\})?[^{}]*\})");
-    text = std::regex_replace(std::regex_replace(text, aka, ""), with, "");
+    static const std::regex with(R"( \[with .*\])"), aka(R"('[^']*' \{aka '([^']*)'\})"), convert(R"(could not convert '.*' (from '[^']*' to '[^']*'))");
+    text = std::regex_replace(std::regex_replace(text, aka, "'$1'"), with, "");
     for (std::size_t at = text.find("Eigen::"); at != std::string::npos; at = text.find("Eigen::", at + 1)) {
         std::size_t end = at + 7;
         while (end < text.size() && (std::isalnum(static_cast<unsigned char>(text[end])) || text[end] == '_')) ++end;
@@ -32,9 +32,8 @@ std::string plain_types(std::string text) {
             text.erase(at, 7);
         }
     }
-    text = replaced(replaced(text, "nutshell::exercises::", ""), "nutshell::", "");
-    for (const auto* word : {"const double", "const Vector3"}) text = replaced(text, word, std::string(word).substr(6));
-    return text;
+    text = std::regex_replace(text, convert, "could not convert $1");
+    return replaced(replaced(text, "nutshell::exercises::", ""), "nutshell::", "");
 }
 
 struct Rule {
@@ -47,18 +46,18 @@ constexpr Rule rules[] = {
     {R"((.*): No such file or directory|'(.*)' file not found)", "There is no file $1$2 to include: is its name spelled right?"},
     {R"(expected '\}' at end of input|expected '\}'$)", "A closing brace } is missing somewhere above, or there is one { too many."},
     {R"(extraneous closing brace|expected declaration before '\}')", "There is one closing brace } too many, or an opening one is missing above."},
-    {R"(expected ',' or ';' before '(.*)'|expected ';' before '(.*)'|expected ';')", "A semicolon is missing, most often at the end of the line above."},
+    {R"(expected ',' or ';' before '(.*)'|expected ';' before '(.*)'|expected ';')", "A semicolon is missing here or on the line above."},
     {R"(expected primary-expression before '(.*)' token)", "Something is missing in front of $1: a value or a name should stand there."},
     {R"(expected '\)'|expected '\(')", "Count the round brackets: each ( needs its )."},
     {R"('(\w+)' was not declared in this scope; did you mean '(\w+)'|use of undeclared identifier '(\w+)'; did you mean '(\w+)')", "Nothing is called $1$3 here. Do you mean $2$4?"},
     {R"('(\w+)' was not declared in this scope|use of undeclared identifier '(\w+)')", "Nothing is called $1$2 here: is it spelled right, and declared above this line?"},
     {R"('(\w+)' does not name a type|unknown type name '(\w+)'|'(\w+)' has not been declared)", "No type is called $1$2$3 here: is it spelled right, and is its header included?"},
     {R"('(?:const )?(?:struct |class )?([\w:]+)(?:.*)' has no member named '(\w+)'(?:; did you mean '(\w+)')?|no member named '(\w+)' in '(.*)')", "$1$5 has no member called $2$4."},
-    {R"(in read-only object|is read-only|discards qualifiers|cannot assign to)", "This may not be changed: it is const. Work on a copy, or on what the function is given to change."},
+    {R"(in read-only object|is read-only|discards qualifiers|cannot assign to|no match for 'operator.?=' \(operand types are 'const )", "This may not be changed: it is const. Work on a copy, or on what the function is given to change."},
     {R"(no match for '(operator.*?)' \(operand types are '(.*)' and '(.*)'\)|invalid operands of types '(.*)' and '(.*)')", "These two cannot be joined like this: $2$4 and $3$5."},
     {R"(invalid operands to binary expression \('(.*)' and '(.*)'\))", "These two cannot be joined like this: $1 and $2."},
     {R"(YOU_MIXED_MATRICES_OF_DIFFERENT_SIZES|INVALID_MATRIX_PRODUCT|INVALID_VECTOR_VECTOR_PRODUCT)", "Vectors or matrices of sizes that do not fit are joined here. For two vectors: .dot() gives a number, .cross() a vector."},
-    {R"(cannot convert '(.*)' to '(.*)'|conversion from '(.*)' to non-scalar type '(.*)'|could not convert '.*' from '(.*)' to '(.*)'|no viable conversion from (?:returned value of type )?'(.*)' to (?:function return type )?'(.*)')",
+    {R"(cannot convert '(.*)' to '(.*)'|conversion from '(.*)' to non-scalar type '(.*)'|could not convert from '(.*)' to '(.*)'|no viable conversion from (?:returned value of type )?'(.*)' to (?:function return type )?'(.*)')",
      "A value of type $1$3$5$7 stands where a $2$4$6$8 is needed."},
     {R"(too (few|many) arguments to function)", "This function is called with too $1 values: look at its line in the header."},
     {R"(no matching function for call to '(.*)'|no matching function for call to)", "No function can be called with these values: look at its line in the header."},
@@ -115,7 +114,6 @@ CompileProblem Sheets::explain(const std::string& said, const std::vector<Number
         return problem;
     }
     problem.compiler = plain_types(chosen.message);
-    if (problem.compiler.size() > 160) problem.compiler = problem.compiler.substr(0, 157) + "...";
 
     if (mine.file.empty()) {
         // our questions cannot call it: it is gone, or called otherwise than the chapter says
@@ -155,10 +153,23 @@ CompileProblem Sheets::explain(const std::string& said, const std::vector<Number
         }
     for (const Rule& rule : rules)
         if (std::regex_search(problem.compiler, found, std::regex(rule.says))) {
-            problem.message = found.format(rule.means);
-            return problem;
+            problem.message = replaced(found.format(rule.means), "const ", "");
+            break;
         }
-    problem.message = "The compiler does not accept this line.";
+    if (problem.message.empty()) problem.message = "The compiler does not accept this line.";
+    // the semicolon that is missed before a line's first word belongs to the line above
+    if (contains(problem.message, "semicolon") && mine.line >= 2 && mine.line <= learner.lines.size()) {
+        std::size_t above = mine.line - 1;      // counted from 1
+        while (above > 1 && bare_code(learner.lines[above - 1]).empty()) --above;
+        const std::string code = bare_code(learner.lines[above - 1]);
+        const std::string word = std::regex_search(problem.compiler, found, std::regex("before '(.*)'")) ? found[1].str() : "";
+        if (!word.empty() && starts_with(problem.line, word) && !code.empty() && !contains(";{}", code.substr(code.size() - 1))) {
+            problem.where = named(mine.file) + ":" + std::to_string(above);
+            problem.line = trimmed(learner.lines[above - 1]);
+            problem.message = "A semicolon is missing at the end of this line.";
+        }
+    }
+    if (problem.compiler.size() > 160) problem.compiler = problem.compiler.substr(0, 157) + "...";
     return problem;
 }
 

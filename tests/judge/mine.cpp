@@ -1,4 +1,5 @@
 // ./course run N --mine: the chapter's program, compiled on the learner's answers. What is not answered falls back to the reference.
+#include <algorithm>
 #include <iostream>
 #include <stdexcept>
 #include "check.hpp"
@@ -12,7 +13,8 @@ namespace fs = std::filesystem;
 namespace {
 
 /// "1.1, 1.3 to 1.5"
-std::string ranges(const std::vector<Number>& numbers) {
+std::string ranges(std::vector<Number> numbers) {
+    std::sort(numbers.begin(), numbers.end());
     std::string text;
     for (std::size_t i = 0; i < numbers.size();) {
         std::size_t k = i;
@@ -65,7 +67,7 @@ int verb_mine(const Rooms& rooms, const std::string& which, const fs::path& want
         if (verdict.outcome == Outcome::wrong) wrong += (wrong.empty() ? "" : ", ") + verdict.number.text() + " (" + verdict.name + ")";
     }
 
-    Stock here;
+    const Lock lock(CONFIG_MINE);
     for (const Chapter& each : chapters_of(rooms)) {
         if (each.number > chapter.number) continue;
         Stock stock;

@@ -1,6 +1,7 @@
 #include "process.hpp"
 #include <fcntl.h>
 #include <poll.h>
+#include <sys/file.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -137,6 +138,16 @@ Ran run(const std::vector<std::string>& words, const Limits& limits) {
     if (ran.signal == SIGXCPU || (ran.signal == SIGKILL && !killed && limits.cpu_seconds && ran.seconds >= limits.cpu_seconds))
         ran.out_of_time = true;
     return ran;
+}
+
+Lock::Lock(const std::filesystem::path& folder) {
+    std::filesystem::create_directories(folder);
+    file_ = open((folder / "lock").c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0666);
+    if (file_ >= 0) flock(file_, LOCK_EX);
+}
+
+Lock::~Lock() {
+    if (file_ >= 0) close(file_);
 }
 
 }  // namespace nutshell::judge

@@ -1,6 +1,7 @@
 // Runs another program under limits and keeps what it says.
 #pragma once
 #include <cstddef>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -27,5 +28,17 @@ inline constexpr int pipe_number = 3;  ///< the descriptor of the extra pipe in 
 
 /// @param words  the program (searched in PATH) and its arguments   @throws std::runtime_error if it cannot be started
 Ran run(const std::vector<std::string>& words, const Limits& limits);
+
+/// While it lives no other process gets past this line for the same folder. The lock goes with the process.
+class Lock {
+  public:
+    explicit Lock(const std::filesystem::path& folder);
+    ~Lock();
+    Lock(const Lock&) = delete;
+    Lock& operator=(const Lock&) = delete;
+
+  private:
+    int file_;
+};
 
 }  // namespace nutshell::judge

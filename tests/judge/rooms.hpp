@@ -38,6 +38,6 @@ const std::vector<exercises::Exercise>& all_exercises();
 /// @throws std::runtime_error if that exercise has marks but no file
 const exercises::Exercise& exercise_of(Number number);
 /// What an attempt gives for the questions.
-exercises::Record record_of(const exercises::Attempt& attempt);
+exercises::Record record_of(const exercises::Attempt& attempt, bool other_states = true);
 
 }  // namespace nutshell::judge

@@ -71,7 +71,7 @@ fs::path precompiled(const Rooms& rooms) {
 }  // namespace
 
 bool Sheets::prepare(const Rooms& rooms) {
-    fs::create_directories(rooms.shared);
+    const Lock lock(rooms.shared);
     const fs::path source = rooms.course / "tests/judge/everywhere.hpp";
     auto words = compiler_words(rooms);
     words.insert(words.end(), {"-x", "c++-header", source.string(), "-MMD", "-MF", precompiled(rooms).string() + ".gch.d", "-o",

@@ -86,12 +86,30 @@ std::string bare_code(std::string_view source) {
     return trimmed(bare);
 }
 
-bool names(std::string_view code, std::string_view name) {
+namespace {
+
+/// Where `name` stands as a word of its own, from `at` on.
+std::size_t word_at(std::string_view code, std::string_view name, std::size_t at) {
     const auto letter = [&](std::size_t i) {
         return i < code.size() && (std::isalnum(static_cast<unsigned char>(code[i])) || code[i] == '_');
     };
-    for (std::size_t at = code.find(name); at != std::string_view::npos; at = code.find(name, at + 1))
-        if (!(at > 0 && letter(at - 1)) && !letter(at + name.size())) return true;
+    for (at = code.find(name, at); at != std::string_view::npos; at = code.find(name, at + 1))
+        if (!(at > 0 && letter(at - 1)) && !letter(at + name.size())) break;
+    return at;
+}
+
+}  // namespace
+
+bool names(std::string_view code, std::string_view name) {
+    return word_at(code, name, 0) != std::string_view::npos;
+}
+
+bool calls(std::string_view code, std::string_view name) {
+    for (std::size_t at = word_at(code, name, 0); at != std::string_view::npos; at = word_at(code, name, at + 1)) {
+        std::size_t next = at + name.size();
+        while (next < code.size() && code[next] == ' ') ++next;
+        if (next < code.size() && (code[next] == '(' || code[next] == '<')) return true;
+    }
     return false;
 }
 
@@ -122,7 +140,7 @@ std::vector<std::string> excerpt(std::string_view printed, std::size_t most) {
         }
         for (char& c : line)
             if (static_cast<unsigned char>(c) < 32 || c == 127) c = ' ';
-        if (line.size() > 100) line = line.substr(0, 97) + "...";
+        if (line.size() > 100 && !contains(line, "Assertion `")) line = line.substr(0, 97) + "...";
         shown.push_back(line);
     }
     return shown;

@@ -22,6 +22,8 @@ bool contains(std::string_view text, std::string_view part);
 std::string bare_code(std::string_view source);
 /// Whether `name` stands in `code` as a word of its own.
 bool names(std::string_view code, std::string_view name);
+/// Whether a function of this name is called in `code`.
+bool calls(std::string_view code, std::string_view name);
 
 /// Words folded at `width` columns, each line after `indent`.
 std::string folded(std::string_view words, std::size_t indent, std::size_t width = 100);

@@ -1,6 +1,4 @@
 // What check and watch print.
-#include <fcntl.h>
-#include <sys/file.h>
 #include <unistd.h>
 #include <chrono>
 #include <cstdio>
@@ -58,23 +56,13 @@ void write_junit(const std::string& file, const std::vector<std::pair<Chapter, s
     write_text(file, text.str());
 }
 
-/// One judge at a time in a folder of work; the lock goes with the process.
-class Lock {
-  public:
-    explicit Lock(const fs::path& folder) {
-        fs::create_directories(folder);
-        file_ = open((folder / "lock").c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0666);
-        if (file_ >= 0) flock(file_, LOCK_EX);
-    }
-    ~Lock() {
-        if (file_ >= 0) close(file_);
-    }
-    Lock(const Lock&) = delete;
-    Lock& operator=(const Lock&) = delete;
-
-  private:
-    int file_ = -1;
-};
+/// "1.1 is not right yet: multiplied by dt", "1.2 is blocked by 1.1", "1.3: endless loop"
+std::string heading(const Verdict& verdict) {
+    const std::string id = verdict.number.text(), wrong = "wrong: ";
+    if (starts_with(verdict.name, wrong)) return id + " is not right yet: " + verdict.name.substr(wrong.size());
+    if (verdict.name == "does not compile") return id + " does not compile";
+    return id + (verdict.outcome == Outcome::blocked ? " is " : ": ") + verdict.name;
+}
 
 }  // namespace
 
@@ -103,7 +91,7 @@ int verb_check(const Rooms& rooms, const std::string& which, const std::string& 
     const auto one = number_of(which);
     if (which.empty())      // those that were started
         std::erase_if(chapters, [&](const Chapter& chapter) { return !fs::exists(rooms.answers / chapter.folder); });
-    const Lock lock(rooms.work);
+    const Lock lock(rooms.work);     // one judge at a time in a folder of work
     if (isatty(1) && !fs::exists(rooms.shared / "everywhere.hpp.gch")) std::cout << "The first check takes some seconds longer than the next ones.\n" << std::flush;
 
     Progress progress = Progress::read(rooms);
@@ -142,7 +130,7 @@ int verb_check(const Rooms& rooms, const std::string& which, const std::string& 
     std::cout << '\n';
     if (first) {
         const std::string id = first->number.text();
-        std::cout << id << " " << exercise_of(first->number).title << ": " << first->name << '\n' << first->words;
+        std::cout << heading(*first) << '\n' << first->words;
         if (first->outcome == Outcome::wrong || first->outcome == Outcome::failed)
             std::cout << "  Then: ./course check " << id << "      a hint: ./course hint " << id << '\n';
     } else if (next) {

@@ -102,6 +102,7 @@ inline Exercise Euler::about() {
                   "drift changes the place, and the force depends on the place. What must you ask for, and keep, before you drift?",
                   "Three lines and a return: ask forces for the push of the start and keep it; drift; kick with what you kept."},
         .order = 1,
+        .picture = "planet.png",
         .mistakes =
             {{"kicks before it drifts", "classic: most engines call this Euler", "The planet stays on its ellipse instead of spiralling out.",
               "You kick first, so the drift already uses the new velocity. That is semi-implicit Euler, a better method and exercise 1.4; "

@@ -90,6 +90,7 @@ inline Exercise SemiImplicitEuler::about() {
                   "The body must move with the velocity that the force of this step has already changed.",
                   "Ask for the force at the start, kick with it for the whole of dt, and only then drift."},
         .order = 1,
+        .picture = "planet.png",
         .mistakes =
             {{"drifts with the old velocity", "classic: this is Euler", "The planet spirals out, and a spring swings wider on every swing.",
               "You drift with the velocity of the start, as Euler does. Here the drift must use the velocity the kick leaves: kick first.",

@@ -114,6 +114,7 @@ inline Exercise Verlet::about() {
                   "Half a kick before the drift, half a kick after it. But the body is somewhere else by then, and it is later.",
                   "Kick for dt/2 with the force at t; drift for dt; kick for dt/2 with the force asked for anew, at t + dt."},
         .order = 2,
+        .picture = "planet.png",
         .mistakes =
             {{"a stale force", "classic: the force kept from the start", "A thrown ball is exact, but the planet spirals out, half as fast as with Euler.",
               "Both half kicks use the force of the start. After the drift the body is at a new place: ask for the force there before the second half.",

@@ -82,6 +82,7 @@ inline Exercise ThrowError::about() {
                   "Euler drifts with the velocity of the start and lacks a dt^2/2 in each step; semi-implicit Euler has as much too much. "
                   "How many steps are there in the duration?",
                   "Number of steps, T/dt, times the error of one step, with its sign: one method lags, one leads, one has the mean velocity exactly."},
+        .picture = "throw.png",
         .mistakes =
             {{"no error at all", "E04", "The ball flies too high, and nobody can say why.",
               "You return zero, as the source's remark suggests: Euler is good if the force hardly changes in a step. Here it does not change at all, "

@@ -96,6 +96,7 @@ inline Exercise StepsDue::about() {
         .hints = {"The clock remembers in owed what earlier frames left over. This frame's time comes on top of it.",
                   "Only whole steps can be made. What is less than a step stays owed for the next frame.",
                   "Add the frame's time to owed; the whole steps in it are due, and their time is paid, even if most_steps lets you make fewer of them."},
+        .picture = "game_loop.png",
         .mistakes =
             {{"no memory of earlier frames", "classic", "At 60 frames a second the game runs slower than the clock; at 144 it stands still.",
               "You count the whole steps of this frame alone and forget the rest. Add the frame's time to clock.owed, and leave there what is less than a step.",
