@@ -255,7 +255,7 @@ double farthest(const Particles& a, const Particles& b) {
 void hang_a_cloth(lab::Report& report) {
     report.heading("A cloth hung up by two corners");
     constexpr std::size_t n = 24;
-    constexpr double side = 1.5, mass = 0.5, stiffness = 60, drag = 4e-4,
+    constexpr double side = 1.5, mass = 0.5, stiffness = 60, drag = 2e-3,
                      settle_dt = 1e-3;  // [m], [kg], [N/m], [kg/s], [s]
     constexpr double narrower = 0.75;   // the held corners' distance over the cloth's side
     SpringNet net = cloth(n, side, mass, stiffness, Weave::with_shear_and_bend);

@@ -11,6 +11,7 @@
 #define SHARED                                                                           \
     using ::nutshell::wide::Axes, ::nutshell::wide::ConstAxes, ::nutshell::wide::Medium, \
         ::nutshell::wide::most_step
+#define INDEPENDENT
 #define NUTSHELL_WIDE
 namespace without_avx2::nutshell::wide {
 SHARED;

@@ -1,5 +1,5 @@
-// Chapter 3 · Particles: the state of chapter 1 for any number of points at once, and the same two verbs for
-// all.
+// Chapter 3 · Particles: the state of chapter 1 for any number of points at once, and the same
+// two verbs for all.
 #pragma once
 #include <nutshell/newton.hpp>
 #include <nutshell/wide.hpp>
@@ -8,8 +8,8 @@
 namespace nutshell {
 
 // [vector3_array]
-/// Many vectors, one array per axis ("structure of arrays"): a loop over one axis reads memory in order, and
-/// the processor works on two, four or eight neighbours at once.
+/// Many vectors, one array per axis ("structure of arrays"): a loop over one axis reads memory in
+/// order, and the processor works on two, four or eight neighbours at once.
 struct Vector3Array {
     std::vector<double> x, y, z;
 
@@ -24,14 +24,15 @@ struct Vector3Array {
 // [/vector3_array]
 
 // [particles]
-/// Any number of point masses. Like the PointMass of chapter 1 they keep their velocity: their masses never
-/// change.
+/// Any number of point masses. Like the PointMass of chapter 1 they keep their velocity: their
+/// masses never change.
 struct Particles {
     std::vector<double> mass;  ///< [kg], each greater than zero
     Vector3Array position;     ///< [m], world frame
     Vector3Array velocity;     ///< [m/s], world frame
 
-    explicit Particles(std::size_t n = 0, double each = 1) : mass(n, each), position(n), velocity(n) {}
+    explicit Particles(std::size_t n = 0, double each = 1)
+        : mass(n, each), position(n), velocity(n) {}
     std::size_t size() const { return mass.size(); }
     PointMass operator[](std::size_t i) const { return {mass[i], position[i], velocity[i]}; }
     void set(std::size_t i, const PointMass& body) {
@@ -41,9 +42,9 @@ struct Particles {
 // [/particles]
 
 // [particle_verbs]
-/// The push on all particles: forces [N], world frame, one array per axis. The arrays belong to whoever
-/// summed them, and are written again at the next evaluation: a step of a million particles allocates
-/// nothing.
+/// The push on all particles: forces [N], world frame, one array per axis. The arrays belong to
+/// whoever summed them, and are written again at the next evaluation: a step of a million
+/// particles allocates nothing.
 using ForceArrays = wide::ConstAxes;
 
 /// Drift: every particle moves with the velocity it has, for dt seconds. Eq. (8) for all.
@@ -57,15 +58,16 @@ inline void kick(Particles& all, const ForceArrays& forces, double dt) {
 }
 // [/particle_verbs]
 
-/// Gives the particles back if they can be simulated. @throws std::invalid_argument that names the first
-/// particle whose mass is not greater than zero or whose numbers are not finite, or if the arrays differ in
-/// length
+/// Gives the particles back if they can be simulated. @throws std::invalid_argument that names
+/// the first particle whose mass is not greater than zero or whose numbers are not finite, or if
+/// the arrays differ in length
 inline Particles checked(Particles all) {
     const std::size_t n = all.size();
     for (const auto* array : {&all.position, &all.velocity})
-        require(array->x.size() == n && array->y.size() == n && array->z.size() == n,
-                "particles: " + std::to_string(n) +
-                    " masses, but positions or velocities of another number: give each particle all");
+        require(
+            array->x.size() == n && array->y.size() == n && array->z.size() == n,
+            "particles: " + std::to_string(n) +
+                " masses, but positions or velocities of another number: give each particle all");
     for (std::size_t i = 0; i < n; ++i) {
         try {
             checked(all[i]);
@@ -84,8 +86,8 @@ inline double kinetic_energy(const Particles& all) {
 }
 
 // [particles_flat]
-/// The state as one list of numbers for the general-purpose methods: all positions, then all velocities,
-/// three numbers each. Unlike the verbs it allocates.
+/// The state as one list of numbers for the general-purpose methods: all positions, then all
+/// velocities, three numbers each. Unlike the verbs it allocates.
 inline Vector flat(const Particles& all) {
     const auto n = static_cast<Eigen::Index>(all.size());
     Vector y(6 * n);
@@ -106,7 +108,8 @@ inline Particles unflat(const Vector& y, Particles like) {
     return like;
 }
 
-/// How the flat state changes per second: positions by the velocities, velocities by force over mass.
+/// How the flat state changes per second: positions by the velocities, velocities by force over
+/// mass.
 inline Vector rate(const Particles& all, const ForceArrays& forces) {
     const auto n = static_cast<Eigen::Index>(all.size());
     Vector y(6 * n);

@@ -1,32 +1,36 @@
-// Chapter 3 · How large a step a chain or a cloth bears: by formula, by the waves of an endless cloth, by
-// linearising.
+// Chapter 3 · How large a step a chain or a cloth bears: by formula, by the waves of an endless
+// cloth, by linearising.
 //
-// Near rest a net of springs swings in many modes at once, each like one mass on one spring. The fastest mode
-// breaks first: a method whose limit on one spring is omega dt = theta bears steps up to theta / (fastest
-// omega).
+// Near rest a net of springs swings in many modes at once, each like one mass on one spring. The
+// fastest mode breaks first: a method whose limit on one spring is omega dt = theta bears steps
+// up to theta / (fastest omega).
 #pragma once
 #include <nutshell/chain_scenes.hpp>
 
 namespace nutshell {
 
 // [chain_frequency]
-/// The fastest angular frequency [rad/s] of a straight unstressed chain of `masses` equal masses [kg].
-/// With both ends held 2 sqrt(kappa/m) sin(N pi / (2(N+1))), with one end free 2 sqrt(kappa/m) sin((2N-1) pi
-/// / (2(2N+1))).
-inline double chain_frequency(std::size_t masses, double mass, double stiffness, bool one_end_free = false) {
+/// The fastest angular frequency [rad/s] of a straight unstressed chain of `masses` equal masses
+/// [kg]. With both ends held 2 sqrt(kappa/m) sin(N pi / (2(N+1))), with one end free 2
+/// sqrt(kappa/m) sin((2N-1) pi / (2(2N+1))).
+inline double chain_frequency(std::size_t masses, double mass, double stiffness,
+                              bool one_end_free = false) {
     const auto N = static_cast<double>(masses);
-    const double angle = one_end_free ? (2 * N - 1) * pi / (2 * (2 * N + 1)) : N * pi / (2 * (N + 1));
+    const double angle =
+        one_end_free ? (2 * N - 1) * pi / (2 * (2 * N + 1)) : N * pi / (2 * (N + 1));
     return 2 * std::sqrt(stiffness / mass) * std::sin(angle);
 }
 // [/chain_frequency]
 
 // [cloth_frequency]
-/// The fastest angular frequency [rad/s] of an endless, flat, unstressed grid of springs between equal masses
-/// [kg]: the fastest of all plane waves. A wave with phase (a, b) from one column and one row to the next
-/// stretches a spring along u by the phase of its two ends, so its square of the frequency is an eigenvalue
-/// of sum over the springs of 2 (1 - cos(phase)) (kappa/m) u u^T.
+/// The fastest angular frequency [rad/s] of an endless, flat, unstressed grid of springs between
+/// equal masses [kg]: the fastest of all plane waves. A wave with phase (a, b) from one column
+/// and one row to the next stretches a spring along u by the phase of its two ends, so its square
+/// of the frequency is an eigenvalue of sum over the springs of 2 (1 - cos(phase)) (kappa/m) u
+/// u^T.
 /// @param steps  phases tried on each axis
-inline double cloth_frequency(const std::vector<GridSpring>& kinds, double mass, int steps = 720) {
+inline double cloth_frequency(const std::vector<GridSpring>& kinds, double mass,
+                              int steps = 720) {
     double fastest = 0;
     for (int a = 0; a <= steps; ++a)
         for (int b = -steps; b <= steps; ++b) {
@@ -34,10 +38,11 @@ inline double cloth_frequency(const std::vector<GridSpring>& kinds, double mass,
             for (const auto& [down, right, spring] : kinds) {
                 const Eigen::Vector2d u(static_cast<double>(right), -static_cast<double>(down));
                 const double phase = pi / steps * (a * u.x() + b * u.y());
-                D +=
-                    2 * (1 - std::cos(phase)) * spring.stiffness / mass / u.squaredNorm() * u * u.transpose();
+                D += 2 * (1 - std::cos(phase)) * spring.stiffness / mass / u.squaredNorm() * u *
+                     u.transpose();
             }
-            const double mean = D.trace() / 2, spread = std::hypot((D(0, 0) - D(1, 1)) / 2, D(0, 1));
+            const double mean = D.trace() / 2,
+                         spread = std::hypot((D(0, 0) - D(1, 1)) / 2, D(0, 1));
             fastest = std::max(fastest, mean + spread);
         }
     return std::sqrt(fastest);
@@ -45,8 +50,9 @@ inline double cloth_frequency(const std::vector<GridSpring>& kinds, double mass,
 // [/cloth_frequency]
 
 // [fastest_mode]
-/// The fastest mode of a net of springs near a state, found by multiplying a random shift by the stiffness
-/// over and over (power iteration): what grows fastest is left. Works for any shape and any tension.
+/// The fastest mode of a net of springs near a state, found by multiplying a random shift by the
+/// stiffness over and over (power iteration): what grows fastest is left. Works for any shape and
+/// any tension.
 struct Mode {
     double frequency;    ///< [rad/s]
     Vector3Array shape;  ///< one shift for each particle, of total length 1
@@ -59,20 +65,23 @@ inline Mode fastest_mode(const SpringNet& net, const Particles& at, int turns = 
     Vector3Array change(at.size());
     std::vector<bool> moves(at.size(), true);
     for (const std::size_t i : net.held) moves[i] = false;
-    for (std::size_t i = 0; i < at.size(); ++i) {  // any start will do that has a little of every mode
+    for (std::size_t i = 0; i < at.size();
+         ++i) {  // any start will do that has a little of every mode
         const auto k = static_cast<double>(i);
         if (moves[i])
-            mode.shape.set(i, {std::sin(1 + 7 * k * k), std::sin(2 + 5 * k * k), std::sin(3 + 3 * k * k)});
+            mode.shape.set(
+                i, {std::sin(1 + 7 * k * k), std::sin(2 + 5 * k * k), std::sin(3 + 3 * k * k)});
     }
     for (int turn = 0; turn < turns; ++turn) {
         for (std::size_t i = 0; i < at.size(); ++i) change.set(i, Vector3::Zero());
         for (const auto& [a, b, spring] : springs.joints) {
-            const Vector3 on_a =
-                spring_force_change(spring, at.position[a], at.position[b], mode.shape[a] - mode.shape[b]);
+            const Vector3 on_a = spring_force_change(spring, at.position[a], at.position[b],
+                                                     mode.shape[a] - mode.shape[b]);
             add(change, a, on_a);
             add(change, b, -on_a);
         }
-        double length2 = 0, square = 0, norm2 = 0;  // of the shape; of the frequency; of the new shape
+        double length2 = 0, square = 0,
+               norm2 = 0;  // of the shape; of the frequency; of the new shape
         for (std::size_t i = 0; i < at.size(); ++i) {
             const Vector3 next = moves[i] ? Vector3(-change[i] / at.mass[i]) : Vector3::Zero();
             length2 += at.mass[i] * mode.shape[i].squaredNorm(),

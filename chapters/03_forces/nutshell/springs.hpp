@@ -1,4 +1,5 @@
-// Chapter 3 · Springs between many particles: a list for anything, and a grid for chains and cloths.
+// Chapter 3 · Springs between many particles: a list for anything, and a grid for chains and
+// cloths.
 #pragma once
 #include <nutshell/forces.hpp>
 #include <nutshell/particles.hpp>
@@ -33,7 +34,8 @@ inline void add(Vector3Array& forces, std::size_t i, const Vector3& force) {
 /// Adds the force of every spring to both its ends, equal and opposite. Eq. (18*).
 inline void add_forces(const Springs& springs, const Particles& all, Vector3Array& forces) {
     for (const Joint& joint : springs.joints) {
-        const Vector3 on_a = spring_force(joint.spring, all.position[joint.a], all.position[joint.b]);
+        const Vector3 on_a =
+            spring_force(joint.spring, all.position[joint.a], all.position[joint.b]);
         add(forces, joint.a, on_a);
         add(forces, joint.b, -on_a);
     }
@@ -53,13 +55,14 @@ inline double spring_energy(const Springs& springs, const Particles& all) {
     return sum;
 }
 
-/// Gives the springs back if they fit `particles` particles. @throws std::invalid_argument if a spring joins
-/// a particle to itself or one that does not exist, is anchored to a point that is not finite, or could not
-/// be simulated at all
+/// Gives the springs back if they fit `particles` particles. @throws std::invalid_argument if a
+/// spring joins a particle to itself or one that does not exist, is anchored to a point that is
+/// not finite, or could not be simulated at all
 inline Springs checked(Springs springs, std::size_t particles) {
     const auto exists = [&](std::size_t i, const std::string& which) {
-        require(i < particles, which + " holds particle " + std::to_string(i) + ", but there are only " +
-                                   std::to_string(particles) + ", counted from 0");
+        require(i < particles, which + " holds particle " + std::to_string(i) +
+                                   ", but there are only " + std::to_string(particles) +
+                                   ", counted from 0");
     };
     for (std::size_t i = 0; i < springs.joints.size(); ++i) {
         const std::string which = "spring " + std::to_string(i);
@@ -78,24 +81,24 @@ inline Springs checked(Springs springs, std::size_t particles) {
 }
 
 // [grid_springs]
-/// One kind of spring in a grid: from every particle to the one `down` rows on and `right` columns to the
-/// right of it, wherever there is one.
+/// One kind of spring in a grid: from every particle to the one `down` rows on and `right`
+/// columns to the right of it, wherever there is one.
 struct GridSpring {
     std::size_t down;  ///< rows
     long right;        ///< columns; negative: to the left
     Spring spring;
 };
 
-/// Springs between the particles of a grid; the particle in row r and column c has number r * columns + c. A
-/// chain is a grid of one row. Who is joined to whom follows from the place, so no list of numbers has to be
-/// read.
+/// Springs between the particles of a grid; the particle in row r and column c has number r *
+/// columns + c. A chain is a grid of one row. Who is joined to whom follows from the place, so no
+/// list of numbers has to be read.
 struct GridSprings {
     std::size_t rows, columns;
     std::vector<GridSpring> kinds;
 };
 
-/// Adds the forces of all springs that start in row r: within the row, or between two rows, in one wide loop
-/// per kind.
+/// Adds the forces of all springs that start in row r: within the row, or between two rows, in
+/// one wide loop per kind.
 inline void add_row_forces(const GridSprings& grid, std::size_t r, wide::ConstAxes position,
                            wide::Axes forces) {
     for (const auto& [down, right, spring] : grid.kinds) {
@@ -106,16 +109,19 @@ inline void add_row_forces(const GridSprings& grid, std::size_t r, wide::ConstAx
             wide::springs_in_row(grid.columns, shift, position.from(row), forces.from(row),
                                  spring.rest_length, spring.stiffness);
         } else if (shift < grid.columns) {
-            const std::size_t a = right < 0 ? row + shift : row, b = right < 0 ? other : other + shift;
-            wide::springs_between(grid.columns - shift, position.from(a), position.from(b), forces.from(a),
-                                  forces.from(b), spring.rest_length, spring.stiffness);
+            const std::size_t a = right < 0 ? row + shift : row,
+                              b = right < 0 ? other : other + shift;
+            wide::springs_between(grid.columns - shift, position.from(a), position.from(b),
+                                  forces.from(a), forces.from(b), spring.rest_length,
+                                  spring.stiffness);
         }
     }
 }
 
 /// Adds the forces of all springs of the grid.
 inline void add_forces(const GridSprings& grid, const Particles& all, Vector3Array& forces) {
-    for (std::size_t r = 0; r < grid.rows; ++r) add_row_forces(grid, r, all.position.axes(), forces.axes());
+    for (std::size_t r = 0; r < grid.rows; ++r)
+        add_row_forces(grid, r, all.position.axes(), forces.axes());
 }
 // [/grid_springs]
 
@@ -126,40 +132,46 @@ inline Springs list_of(const GridSprings& grid) {
         for (const auto& [down, right, spring] : grid.kinds)
             for (std::size_t c = 0; c < grid.columns; ++c) {
                 const long other = static_cast<long>(c) + right;
-                if (r + down >= grid.rows || other < 0 || other >= static_cast<long>(grid.columns)) continue;
-                list.joints.push_back({r * grid.columns + c,
-                                       (r + down) * grid.columns + static_cast<std::size_t>(other), spring});
+                if (r + down >= grid.rows || other < 0 ||
+                    other >= static_cast<long>(grid.columns))
+                    continue;
+                list.joints.push_back(
+                    {r * grid.columns + c,
+                     (r + down) * grid.columns + static_cast<std::size_t>(other), spring});
             }
     return list;
 }
 
-/// Gives the grid back if it fits `particles` particles. @throws std::invalid_argument if it does not, or a
-/// kind of spring would join a particle to itself, points backwards within a row or farther than
-/// wide::most_step, or could not be simulated at all
+/// Gives the grid back if it fits `particles` particles. @throws std::invalid_argument if it does
+/// not, or a kind of spring would join a particle to itself, points backwards within a row or
+/// farther than wide::most_step, or could not be simulated at all
 inline GridSprings checked(GridSprings grid, std::size_t particles) {
-    require(grid.rows * grid.columns == particles, "a grid of " + std::to_string(grid.rows) + " x " +
-                                                       std::to_string(grid.columns) + " does not fit " +
-                                                       std::to_string(particles) + " particles");
+    require(grid.rows * grid.columns == particles,
+            "a grid of " + std::to_string(grid.rows) + " x " + std::to_string(grid.columns) +
+                " does not fit " + std::to_string(particles) + " particles");
     for (const auto& [down, right, spring] : grid.kinds) {
         require(down != 0 || right != 0,
-                "a spring of a grid joins every particle to itself: give it a step down or to the right");
+                "a spring of a grid joins every particle to itself: give it a step down or to "
+                "the right");
         require(down != 0 || (right > 0 && right <= static_cast<long>(wide::most_step)),
-                "a spring within a row of a grid must step 1 to " + std::to_string(wide::most_step) +
-                    " columns to the right, not " + std::to_string(right));
+                "a spring within a row of a grid must step 1 to " +
+                    std::to_string(wide::most_step) + " columns to the right, not " +
+                    std::to_string(right));
         checked(spring);
     }
     return grid;
 }
 
 // [pull_change]
-/// How the force [N] of a spring on its end changes when this end moves by a small `shift` [m]: along the
-/// spring by its stiffness, across it by its tension over its length. minus the second derivative of the
-/// energy.
-inline Vector3 spring_force_change(const Spring& spring, const Vector3& end, const Vector3& other_end,
-                                   const Vector3& shift) {
+/// How the force [N] of a spring on its end changes when this end moves by a small `shift` [m]:
+/// along the spring by its stiffness, across it by its tension over its length. minus the second
+/// derivative of the energy.
+inline Vector3 spring_force_change(const Spring& spring, const Vector3& end,
+                                   const Vector3& other_end, const Vector3& shift) {
     const Vector3 d = end - other_end;
     const double length = d.norm();
-    if (length == 0) return spring.rest_length == 0 ? Vector3(-spring.stiffness * shift) : Vector3::Zero();
+    if (length == 0)
+        return spring.rest_length == 0 ? Vector3(-spring.stiffness * shift) : Vector3::Zero();
     const Vector3 along = d / length * d.dot(shift) / length;
     return -spring.stiffness * (along + (1 - spring.rest_length / length) * (shift - along));
 }
