@@ -166,7 +166,7 @@ void momentum_books(lab::Report& report) {
     report.number("books.rocket", end.rocket.momentum.x(), "kg m/s");
     report.number("books.exhaust", exhaust_momentum(end).x(), "kg m/s");
     double most = 0, when = 0;
-    lab::run(RocketBooks{}, verlet_method, 300, [&](const RocketAndExhaust& all, double t) {
+    lab::run(RocketBooks{}, verlet_method, 3000, [&](const RocketAndExhaust& all, double t) {
         if (all.rocket.momentum.x() > most) most = all.rocket.momentum.x(), when = t;
     });
     report.number("books.rocket_most", most, "kg m/s");

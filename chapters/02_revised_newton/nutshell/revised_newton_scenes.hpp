@@ -66,7 +66,7 @@ struct LeakyCart {
 };
 // [/cart]
 
-/// A drop falls through a cloud and picks up droplets that hang at rest. It enters with 3 m/s of sideways wind.
+/// A drop falls through a cloud and picks up droplets that hang at rest. It enters with a sideways speed of 3 m/s.
 /// exact: K = K0 + g (m0 t + beta t^2/2), position by one logarithm; accurate to 1e-14 of the path.
 struct Raindrop {
     std::string name = "raindrop";
