@@ -24,8 +24,9 @@ inline std::string key_of(const std::string& method) {
 /// Prints the ways to meet the scene's need and keeps their numbers as SCENE.METHOD.steps and so on.
 inline void report_ways(lab::Report& report, const std::string& scene, const Need& need,
                         const std::vector<lab::Choice>& ways) {
-    report.say("Needs " + need.reason + " (" + lab::rounded(need.tolerance) + " " + need.unit + "). The least that gives it:");
-    report.print(lab::ways_table(ways, need));
+    const std::string needs = "Needs " + need.reason + " (" + lab::rounded(need.tolerance) + " " + need.unit + "). ";
+    report.say(needs + (ways.empty() ? "No method gives it, however small the step: look for a wrong formula." : "The least that gives it:"));
+    if (!ways.empty()) report.print(lab::ways_table(ways, need));
     report.number(scene + ".need", need.tolerance, need.unit);
     for (const auto& way : ways) {
         const std::string key = scene + "." + key_of(way.method);
