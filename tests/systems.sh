@@ -1,10 +1,11 @@
 #!/bin/bash
 # Do the README's two commands work on a bare system? For contributors; takes root, debootstrap and a network.
-#   sudo tests/systems.sh [--bases DIR] [--work DIR] [--mirror URL] [--clang] [--keep] [SUITE...]
+#   sudo tests/systems.sh [--bases DIR] [--work DIR] [--mirror URL] [--short] [--clang] [--keep] [SUITE...]
 #   SUITE     what debootstrap knows, from nothing: bookworm trixie sid if none is named
 #   --bases   where the bare systems are kept for the next time, as SUITE.tar (default: not kept)
 #   --work    where the systems are built, 4 GB each (default: a temporary folder)
 #   --mirror  where packages come from (default: as this machine's apt, if it is Debian; else debootstrap's own)
+#   --short   ./course test in the first system, by the user without network, instead of in a second one from nothing
 #   --clang   once more the tests with the suite's clang, warnings as errors
 #   --keep    leaves the systems where they are, to look into
 # For each suite, the committed HEAD is cloned into two fresh systems that have nothing but what `debootstrap
@@ -20,12 +21,13 @@ command -v debootstrap >/dev/null || { echo "systems: debootstrap is missing: ap
 [ -n "${SYSTEMS_INSIDE:-}" ] || SYSTEMS_INSIDE=1 exec unshare --mount --pid --fork --kill-child --mount-proc bash "$0" "$@"
 
 project=$(cd "$(dirname "$0")/.." && pwd -P)
-bases='' work='' mirror='' clang='' keep='' suites=()
+bases='' work='' mirror='' short='' clang='' keep='' suites=()
 while [ $# -gt 0 ]; do
     case $1 in
     --bases) bases=$2 && shift ;;
     --work) work=$2 && shift ;;
     --mirror) mirror=$2 && shift ;;
+    --short) short=yes ;;
     --clang) clang=yes ;;
     --keep) keep=yes ;;
     -*) echo "systems: unknown option $1 (--help)" >&2 && exit 2 ;;
@@ -100,7 +102,7 @@ row() { printf '%-10s %-8s %-8s %-8s %-8s %8s %10s %8s %8s  %s\n' "$@" >>"$work/
 row suite g++ Eigen Catch2 draws "run [s]" "again [s]" "test [s]" warnings verdict
 
 one() {
-    local suite=$1 root="$work/$1" run='' again='' test='' warnings='' verdict tests changed
+    local suite=$1 root="$work/$1" run='' again='' test='' warnings='' verdict tests changed tested
     local compiler='' eigen='' catch2='' draws=''
     finish() {
         row "$suite" "$compiler" "$eigen" "$catch2" "$draws" "$run" "$again" "$test" "$warnings" "$1"
@@ -127,17 +129,23 @@ one() {
     changed=$(find "$root.run" -xdev -newer "$work/mark" -not -path "$root.run/home/learner/course/*" -not -path "$root.run/tmp" -not -path "$root.run/dev/*")
     [ -z "$changed" ] || { failed "changed outside the clone: $changed"; return; }
 
-    fresh "$suite" "$root.test" || { outside "debootstrap failed"; return; }
-    try "$suite" "test" as_root "$root.test" "./course test" || { failed "./course test"; return; }
+    if [ -n "$short" ]; then
+        tested="$root.run"
+        try "$suite" "test" as_learner_offline "$tested" "/home/learner/course/course test" || { failed "./course test"; return; }
+    else
+        tested="$root.test"
+        fresh "$suite" "$tested" || { outside "debootstrap failed"; return; }
+        try "$suite" "test" as_root "$tested" "./course test" || { failed "./course test"; return; }
+    fi
     test=$took
     tests=$(sed -n 's/^100% tests passed.* out of \([0-9]*\)$/\1/p' "$work/$suite.test.txt")
     [ -n "$tests" ] || { code=1 && failed "no closing line of ctest"; return; }
-    warnings=$(grep -c 'warning:' "$root.test/home/learner/course/build/log/build.txt" || :)
+    warnings=$(grep -c 'warning:' "$tested/home/learner/course/build/log/build.txt" || :)
     verdict="well: $tests tests pass"
     if [ -n "$clang" ]; then
-        try "$suite" "clang from apt" as_root "$root.test" "apt-get install -y --no-install-recommends clang" || { outside "apt could not install clang"; return; }
-        try "$suite" "test with clang" as_root "$root.test" "COURSE_PRESET=clang ./course test" || { failed "./course test with clang"; return; }
-        verdict+=", with clang $(inside "$root.test" clang++ -dumpversion) in $took s too"
+        try "$suite" "clang from apt" as_root "$tested" "apt-get install -y --no-install-recommends clang" || { outside "apt could not install clang"; return; }
+        try "$suite" "test with clang" as_root "$tested" "COURSE_PRESET=clang ./course test" || { failed "./course test with clang"; return; }
+        verdict+=", with clang $(inside "$tested" clang++ -dumpversion) in $took s too"
     fi
     finish "$verdict"
 }
