@@ -151,8 +151,10 @@ one() {
 }
 
 worst=0
-for suite in "${suites[@]}"; do one "$suite"; done
-echo
-cat "$work/table.txt"
-[ -n "$keep" ] || rmdir "$work" 2>/dev/null || say "logs: $work"
-exit "$worst"
+{   # read whole before it begins, so that the script may be edited meanwhile
+    for suite in "${suites[@]}"; do one "$suite"; done
+    echo
+    cat "$work/table.txt"
+    [ -n "$keep" ] || rmdir "$work" 2>/dev/null || say "logs: $work"
+    exit "$worst"
+}
