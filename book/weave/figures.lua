@@ -69,7 +69,7 @@ local function content(page, image, at)             -- html, fields of the .txt;
     if not bytes then
         if Numbers.load(chapter).told then return nil end            -- the whole chapter has not been run
         local reason = fields and fields["not drawn"]
-        if not file:find("%.png$") or not reason then
+        if not reason then
             return Report.add(page, at,
                 "picture %s: there is no %s/%s: draw it in the chapter's program, then %s", src, chapter, file, command)
         end

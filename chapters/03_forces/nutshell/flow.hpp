@@ -29,8 +29,8 @@ inline FlatPoint rate(const PointMass& body, const Vector3& force) {
     return y;
 }
 
-/// A scene turned into a flow; itself a scene, whose state is flat and whose push is y'. Works for every state that
-/// has flat, unflat and rate.
+/// A scene turned into a flow; itself a scene, whose state is flat and whose push is y'. Works for every
+/// state that has flat, unflat and rate.
 template <class Scene>
 struct Flow {
     using Flat = decltype(flat(std::declval<Scene>().start));

@@ -26,9 +26,9 @@ struct Spring {
     double rest_length = 0;  ///< l0 [m], not negative: the length at which it neither pulls nor pushes
 };
 
-/// The force [N] of a spring on its end at `end`; the other end gets the opposite. Pulls when longer than its rest
-/// length, pushes when shorter. Where both ends meet, the direction does not exist and the force is zero (E08).
-/// Positions in m, world frame. Source: eq. (18*).
+/// The force [N] of a spring on its end at `end`; the other end gets the opposite. Pulls when longer than its
+/// rest length, pushes when shorter. Where both ends meet, the direction does not exist and the force is zero
+/// (E08). Positions in m, world frame. Source: eq. (18*).
 inline Vector3 spring_force(const Spring& spring, const Vector3& end, const Vector3& other_end) {
     // exercise 3.1
     const Vector3 d = end - other_end;
@@ -46,14 +46,14 @@ inline double spring_energy(const Spring& spring, const Vector3& end, const Vect
 // [/spring]
 
 // [drag]
-/// Linear (viscous) drag [N], for honey and dust: against the velocity [m/s] relative to the medium, gamma in kg/s.
-/// Source: eq. (19), there called friction (E09).
+/// Linear (viscous) drag [N], for honey and dust: against the velocity [m/s] relative to the medium, gamma in
+/// kg/s. Source: eq. (19), there called friction (E09).
 inline Vector3 linear_drag_force(double gamma, const Vector3& velocity) {
     return -gamma * velocity;
 }
 
-/// Quadratic drag [N], for balls and cars in air: against the velocity [m/s] relative to the medium, growing with the
-/// square of the speed. @param c  [kg/m], see air_drag      Eq. (3.a).
+/// Quadratic drag [N], for balls and cars in air: against the velocity [m/s] relative to the medium, growing
+/// with the square of the speed. @param c  [kg/m], see air_drag      Eq. (3.a).
 inline Vector3 quadratic_drag_force(double c, const Vector3& velocity) {
     // exercise 3.2
     return -c * velocity.norm() * velocity;
@@ -67,13 +67,15 @@ inline double air_drag(double density, double drag_coefficient, double area) {
 }
 // [/drag]
 
-/// Gives the spring back if it can be simulated. @throws std::invalid_argument if its stiffness or rest length is
-/// negative or not finite
+/// Gives the spring back if it can be simulated. @throws std::invalid_argument if its stiffness or rest
+/// length is negative or not finite
 inline Spring checked(const Spring& spring) {
     require(std::isfinite(spring.stiffness) && spring.stiffness >= 0,
-            "the stiffness of a spring [N/m] must be finite and not negative, not " + std::to_string(spring.stiffness));
+            "the stiffness of a spring [N/m] must be finite and not negative, not " +
+                std::to_string(spring.stiffness));
     require(std::isfinite(spring.rest_length) && spring.rest_length >= 0,
-            "the rest length of a spring [m] must be finite and not negative, not " + std::to_string(spring.rest_length));
+            "the rest length of a spring [m] must be finite and not negative, not " +
+                std::to_string(spring.rest_length));
     return spring;
 }
 

@@ -16,13 +16,16 @@ inline constexpr auto exponential_kick_method = [](auto state, const auto& force
 inline constexpr auto exponential_verlet_method = [](auto state, const auto& forces, double t, double dt) {
     return exponential_verlet(std::move(state), forces, t, dt);
 };
-inline constexpr auto semi_implicit_exponential_method = [](auto state, const auto& forces, double t, double dt) {
+inline constexpr auto semi_implicit_exponential_method = [](auto state, const auto& forces, double t,
+                                                            double dt) {
     return semi_implicit_exponential(std::move(state), forces, t, dt);
 };
-inline constexpr auto semi_implicit_division_method = [](auto state, const auto& forces, double t, double dt) {
+inline constexpr auto semi_implicit_division_method = [](auto state, const auto& forces, double t,
+                                                         double dt) {
     return semi_implicit_division(std::move(state), forces, t, dt);
 };
-/// Fourth order with drag: Yoshida's three steps, each an exponential Verlet. One step back makes the drag grow for a while.
+/// Fourth order with drag: Yoshida's three steps, each an exponential Verlet. One step back makes the drag
+/// grow for a while.
 inline Composed<ExponentialVerlet<>, 3> exponential_yoshida4() {
     return {{}, yoshida_weights()};
 }
@@ -31,7 +34,9 @@ inline Composed<ExponentialVerlet<>, 3> exponential_yoshida4() {
 inline constexpr auto explicit_midpoint_method = [](const auto& y, const auto& flow, double t, double dt) {
     return explicit_midpoint(y, flow, t, dt);
 };
-inline constexpr auto rk4_method = [](const auto& y, const auto& flow, double t, double dt) { return rk4(y, flow, t, dt); };
+inline constexpr auto rk4_method = [](const auto& y, const auto& flow, double t, double dt) {
+    return rk4(y, flow, t, dt);
+};
 inline const DormandPrince<FlatPoint> dormand_prince_method = {};
 inline constexpr auto implicit_euler_method = [](const auto& y, const auto& flow, double t, double dt) {
     return implicit_euler(y, flow, t, dt);

@@ -1,5 +1,6 @@
-// The scenes of chapter 3 that move one point mass. What a scene consists of: see <nutshell/newton_scenes.hpp>.
-// `drag` is the linear drag gamma [kg/s] that is part of the force; the exponential methods treat it exactly.
+// The scenes of chapter 3 that move one point mass. What a scene consists of: see
+// <nutshell/newton_scenes.hpp>. `drag` is the linear drag gamma [kg/s] that is part of the force; the
+// exponential methods treat it exactly.
 #pragma once
 #include <nutshell/exponential.hpp>
 #include <nutshell/flow.hpp>
@@ -10,8 +11,8 @@
 namespace nutshell {
 
 // [falling]
-/// A stone sinks from rest in a thick liquid: weight and linear drag (scene S3 of the comparison with other engines).
-/// exact: closed form, eqs. (3.d)-(3.e); accurate to round-off.
+/// A stone sinks from rest in a thick liquid: weight and linear drag (scene S3 of the comparison with other
+/// engines). exact: closed form, eqs. (3.d)-(3.e); accurate to round-off.
 struct FallingWithDrag {
     std::string name = "falling_with_drag";
     double drag = 0.5;  // gamma [kg/s]
@@ -47,15 +48,15 @@ struct FallingInAir {
     double terminal_speed() const { return std::sqrt(start.mass * earth_gravity / air); }
     PointMass exact(double t) const {
         const double v = terminal_speed(), x = earth_gravity * t / v;
-        const double log_cosh = x + std::log1p(std::exp(-2 * x)) - std::log(2.0);   // does not overflow
+        const double log_cosh = x + std::log1p(std::exp(-2 * x)) - std::log(2.0);  // does not overflow
         return {start.mass, {0, -v * v / earth_gravity * log_cosh, 0}, {0, -v * std::tanh(x), 0}};
     }
     double error(const PointMass& state, double t) const { return distance(state, exact(t)); }
 };
 
 // [spring_scene]
-/// A mass on a spring of rest length zero, with or without linear drag (scenes S2 and S2d). Period 1 s without drag.
-/// exact: closed form in all regimes; accurate to about 1e-15 times the angle turned, omega t.
+/// A mass on a spring of rest length zero, with or without linear drag (scenes S2 and S2d). Period 1 s
+/// without drag. exact: closed form in all regimes; accurate to about 1e-15 times the angle turned, omega t.
 struct MassOnSpring {
     std::string name = "mass_on_spring";
     double stiffness = 4 * pi * pi;  // kappa [N/m]
@@ -67,7 +68,9 @@ struct MassOnSpring {
     /// Damping ratio: 0 undamped, below 1 it swings, 1 critical, above 1 it creeps.
     static MassOnSpring with_damping(double ratio) {
         MassOnSpring scene;
-        scene.name = ratio < 1 ? "damped_spring" : ratio > 1 ? "overdamped_spring" : "critically_damped_spring";
+        scene.name = ratio < 1   ? "damped_spring"
+                     : ratio > 1 ? "overdamped_spring"
+                                 : "critically_damped_spring";
         scene.drag = checked_drag(2 * ratio * scene.omega() * scene.start.mass);
         return scene;
     }
@@ -75,10 +78,10 @@ struct MassOnSpring {
     double damping_rate() const { return drag / start.mass; }           ///< g = gamma/m [1/s]
 
     /// Eq. (18*) with rest length zero needs no root.
-    Vector3 operator()(const PointMass& mass, double) const { return -stiffness * mass.position - drag * mass.velocity; }
-    PointMass exact(double t) const {
-        return SpringPropagator{omega(), damping_rate()}(start, *this, 0, t);
+    Vector3 operator()(const PointMass& mass, double) const {
+        return -stiffness * mass.position - drag * mass.velocity;
     }
+    PointMass exact(double t) const { return SpringPropagator{omega(), damping_rate()}(start, *this, 0, t); }
     double error(const PointMass& state, double t) const { return distance(state, exact(t)); }
     double energy(const PointMass& mass) const {
         return kinetic_energy(mass) + stiffness * mass.position.squaredNorm() / 2;
@@ -88,8 +91,8 @@ struct MassOnSpring {
 
 // [throw_scene]
 /// The ball of chapter 1, thrown through nothing, through honey or through air: the model ladder.
-/// exact: closed form where there is no air. With air there is none: a tight run stands for it, accurate to 1e-11 m
-/// (tests compare it with another method).
+/// exact: closed form where there is no air. With air there is none: a tight run stands for it, accurate to
+/// 1e-11 m (tests compare it with another method).
 struct ThrowInAir {
     std::string name = "throw_in_air";
     double drag = 0;                                   // linear, gamma [kg/s]
@@ -99,12 +102,14 @@ struct ThrowInAir {
     Need need{40.0 / 960, "m", "one pixel of its snapshot, 40 m across 960 pixels"};
 
     Vector3 operator()(const PointMass& ball, double) const {
-        return gravity_force(ball.mass) + linear_drag_force(drag, ball.velocity) + quadratic_drag_force(air, ball.velocity);
+        return gravity_force(ball.mass) + linear_drag_force(drag, ball.velocity) +
+               quadratic_drag_force(air, ball.velocity);
     }
     PointMass exact(double t) const {
         if (t == 0) return start;
         if (air == 0) return exponential_kick(start, *this, 0, t);
-        const FlatPoint y = adaptive(flat(start), Flow<ThrowInAir>(*this), 0, t, {1e-13, 1e-13}, t / 100, [](const FlatPoint&, double) {});
+        const FlatPoint y = adaptive(flat(start), Flow<ThrowInAir>(*this), 0, t, {1e-13, 1e-13}, t / 100,
+                                     [](const FlatPoint&, double) {});
         return unflat(y, start);
     }
     double error(const PointMass& state, double t) const { return distance(state, exact(t)); }
