@@ -39,6 +39,8 @@ TEST_CASE("An answer that does not compile: the learner's own line first, in pla
              Case{"    return (next_position - position).norm() / dt;", "norm() / dt", "A value of type double stands where a Vector3 is needed"},
              Case{"    const Vector3 way = next_position - position;", "", "a return is missing"},
              Case{"    std::deque<double> all;\n    return (next_position - position) / dt;", "std::deque", "needs the line #include <deque>"},
+             Case{"    if (dt > 0) {\n    return (next_position - position) / dt;", "if (dt > 0) {", "opens 1 braces { and closes 0"},
+             Case{"    return velocity_between(position, dt);", "return velocity_between(position, dt);", "is called with"},
              Case{"    next_position -= position;\n    return next_position / dt;", "next_position -= position;", "it is const"},
          }) {
         const Verdict verdict = on_first(learner, each.body);
@@ -187,6 +189,18 @@ TEST_CASE("What is no known mistake is told by its signature") {
         CHECK_THAT(flat(verdicts[i].words), ContainsSubstring(cases[i].words));
         is_plain(verdicts[i]);
     }
+}
+
+TEST_CASE("A slip that only some forces show is not called a right method; a wrong sum is looked at where it is first wrong") {
+    const Learner learner("more signatures");
+    learner.answer({1, 5}, "    kick(state, forces(state, t), dt / 2);\n    drift(state, dt);\n    kick(state, forces(state, t + dt / 2), dt / 2);\n    return state;");
+    learner.answer({1, 7}, "    return 3 * tolerance / (acceleration.norm() * duration);");
+    const auto verdicts = learner.check_chapter(1);
+    CHECK(verdicts[4].name == "wrong: wrong order");
+    CHECK_THAT(flat(verdicts[4].words), ContainsSubstring("goes like dt^2; for a method of order 2 it must be dt^3"));
+    CHECK(verdicts[6].name == "wrong: wrong formula");
+    CHECK_THAT(flat(verdicts[6].words), ContainsSubstring("Later on: The step is infinite, for tolerance 0.1, acceleration (0, 0, 0)"));
+    CHECK_THAT(flat(verdicts[6].words), ContainsSubstring("Seen with tolerance 0.6,"));
 }
 
 TEST_CASE("A solution changed in the ninth digit fails; the same function written otherwise passes") {

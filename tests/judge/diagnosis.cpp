@@ -1,8 +1,10 @@
 #include "diagnosis.hpp"
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <map>
 #include <set>
 #include "rooms.hpp"
 #include "text.hpp"
@@ -118,8 +120,9 @@ std::optional<std::pair<std::string, std::string>> factor_signature(const std::v
 }
 
 /// From the runs at h, h/2 and h/4: does the error against the exact solution shrink, and how fast?
+/// @param local  the power of dt with which one step differs from the right one, if it has one
 std::optional<std::pair<std::string, std::string>> order_signature(const Exercise& exercise, const Record& reference,
-                                                                   const std::vector<Values>& yours) {
+                                                                   const std::vector<Values>& yours, std::optional<double> local) {
     if (exercise.order == 0) return std::nullopt;
     double error[3] = {-1, -1, -1}, right[3] = {};
     std::string what;
@@ -141,7 +144,35 @@ std::optional<std::pair<std::string, std::string>> order_signature(const Exercis
     if (order < exercise.order - 0.4)
         return {{"wrong order", "The error shrinks, but like dt^" + digits(order, "%.1f") + " where this method has dt^" + std::to_string(exercise.order) +
                                     ": the formula is right in the limit, but something is taken at the wrong time in the step. " + table}};
+    if (local && *local < exercise.order + 0.6)
+        return {{"wrong order", "One step differs from the right one by an amount that goes like dt^" + digits(std::round(*local), "%.0f") + "; for a method of order " +
+                                    std::to_string(exercise.order) + " it must be dt^" + std::to_string(exercise.order + 1) +
+                                    " at most. Something is taken at the wrong time or place in the step, and not every force shows it."}};
     return {{"another scheme", "The error shrinks as fast as it should, so this is a right method, but not the one asked for. " + table}};
+}
+
+/// The power of dt with which the difference of single steps shrinks, the least of all outputs.
+std::optional<double> local_power(const Record& reference, const std::vector<Values>& yours) {
+    std::map<std::pair<std::string, std::size_t>, std::array<double, 3>> apart_at;      // by name and its place among inputs of one level
+    std::array<std::size_t, 3> first_input{};
+    for (const Output& output : reference.outputs) {
+        const auto level = static_cast<std::size_t>(output.level);
+        if (level > 0 && first_input[level] == 0) first_input[level] = output.input;
+    }
+    for (std::size_t i = 0; i < reference.outputs.size(); ++i) {
+        const Output& output = reference.outputs[i];
+        if (!output.exact.empty() || yours[i].size() != output.values.size() || !finite(yours[i])) continue;
+        const auto level = static_cast<std::size_t>(output.level);
+        auto& at = apart_at.try_emplace({output.name, output.input - first_input[level]}, std::array<double, 3>{-1, -1, -1}).first->second;
+        at[level] = distance(yours[i], output.values) / output.scale;
+    }
+    std::optional<double> least;
+    for (const auto& [key, at] : apart_at) {
+        if (!(at[1] > tolerance && at[2] > tolerance)) continue;
+        const double power = std::log2(at[1] / at[2]);
+        if (!least || power < *least) least = power;
+    }
+    return least;
 }
 
 std::string list(const std::vector<std::string>& names) {
@@ -204,25 +235,28 @@ Diagnosis diagnose(const Exercise& exercise, const Record& reference, const std:
         }
     }
 
-    // 2. numbers that are none
+    // 2. sizes, and numbers that are none
     for (const std::size_t i : wrong) {
-        if (outputs[i].values.size() != yours[i].size()) {
-            diagnosis.name = "wrong size";
-            diagnosis.words = {capital(without_unit(outputs[i].name)) + " has " + std::to_string(yours[i].size()) + " numbers; there should be " +
-                               std::to_string(outputs[i].values.size()) + "."};
-            show(i);
+        if (outputs[i].values.size() == yours[i].size()) continue;
+        diagnosis.name = "wrong size";
+        diagnosis.words = {capital(without_unit(outputs[i].name)) + " has " + std::to_string(yours[i].size()) + " numbers; there should be " +
+                           std::to_string(outputs[i].values.size()) + "."};
+        show(i);
+        return diagnosis;
+    }
+    const auto lost = std::find_if(wrong.begin(), wrong.end(), [&](std::size_t i) { return !finite(yours[i]) && finite(outputs[i].values); });
+    std::string born;
+    if (lost != wrong.end()) {
+        const bool nan = std::any_of(yours[*lost].begin(), yours[*lost].end(), [](double value) { return std::isnan(value); });
+        const std::string what = capital(without_unit(outputs[*lost].name)) + (nan ? " is NaN, which is no number" : " is infinite");
+        born = what + ", for " + reference.inputs[outputs[*lost].input] + ".";
+        if (lost == wrong.begin()) {
+            diagnosis.name = nan ? "NaN" : "infinite";
+            diagnosis.words = {what + ", born at the input below" + (*lost > 0 ? "; everything asked before it was right." : ", the first one asked."),
+                               nan ? "NaN comes from 0/0, from the root of a negative number, from infinity less infinity, or from a vector that was never given a value."
+                                   : "That comes from a division by zero, or from numbers that grow without limit."};
             return diagnosis;
         }
-        if (finite(yours[i]) || !finite(outputs[i].values)) continue;
-        const bool nan = std::any_of(yours[i].begin(), yours[i].end(), [](double value) { return std::isnan(value); });
-        show(i);
-        diagnosis.name = nan ? "NaN" : "infinite";
-        diagnosis.words = {capital(without_unit(outputs[i].name)) + (nan ? " is NaN, which is no number" : " is infinite") +
-                           ", born at the input below" + (i > 0 ? "; everything asked before it was finite." : ", the first one asked.")};
-        diagnosis.words.push_back(nan ? "NaN comes from 0/0, from the root of a negative number, from infinity less infinity, or from a vector that was never "
-                                        "given a value."
-                                      : "That comes from a division by zero, or from numbers that grow without limit.");
-        return diagnosis;
     }
 
     // 3. which outputs are right, and on which inputs
@@ -246,7 +280,7 @@ Diagnosis diagnose(const Exercise& exercise, const Record& reference, const std:
         if (without_unit(outputs[i].name) == first_wrong) pairs.emplace_back(&outputs[i], &yours[i]);
     auto signature = factor_signature(pairs, false, capital(first_wrong));
     if (!signature && exercise.order > 0) signature = factor_signature(pairs, true, first_wrong);
-    const auto order = order_signature(exercise, reference, yours);
+    const auto order = signature ? std::nullopt : order_signature(exercise, reference, yours, local_power(reference, yours));
     if (signature) {
         diagnosis.name = signature->first;
         diagnosis.words = {signature->second};
@@ -273,6 +307,7 @@ Diagnosis diagnose(const Exercise& exercise, const Record& reference, const std:
     }
     if (!signature && size == 3 && components.size() == 1)
         diagnosis.words.push_back(std::string("Only its ") + "xyz"[*components.begin()] + " component is wrong.");
+    if (!born.empty()) diagnosis.words.push_back("Later on: " + born);
     if (diagnosis.words.empty()) diagnosis.words.push_back("This is no slip known by name: the formula gives other numbers than it should.");
     return diagnosis;
 }

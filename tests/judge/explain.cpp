@@ -32,6 +32,8 @@ std::string plain_types(std::string text) {
             text.erase(at, 7);
         }
     }
+    text = replaced(text, "<unresolved overloaded function type>", "the name of a function");
+    if (const auto option = text.find(" [-W"); option != std::string::npos) text.erase(option);
     text = std::regex_replace(text, convert, "could not convert $1");
     return replaced(replaced(text, "nutshell::exercises::", ""), "nutshell::", "");
 }
@@ -60,6 +62,7 @@ constexpr Rule rules[] = {
     {R"(cannot convert '(.*)' to '(.*)'|conversion from '(.*)' to non-scalar type '(.*)'|could not convert from '(.*)' to '(.*)'|no viable conversion from (?:returned value of type )?'(.*)' to (?:function return type )?'(.*)')",
      "A value of type $1$3$5$7 stands where a $2$4$6$8 is needed."},
     {R"(too (few|many) arguments to function)", "This function is called with too $1 values: look at its line in the header."},
+    {R"(no match for call to)", "This is called with other values than it takes (forces is called as forces(state, t)): see the comment above the function."},
     {R"(no matching function for call to '(.*)'|no matching function for call to)", "No function can be called with these values: look at its line in the header."},
     {R"(redefinition of '(.*)'|redeclaration of '(.*)')", "$1$2 is defined twice."},
 };
@@ -134,6 +137,18 @@ CompileProblem Sheets::explain(const std::string& said, const std::vector<Number
     problem.number = learner.at_line(mine.line);
     if (mine.line >= 1 && mine.line <= learner.lines.size()) problem.line = trimmed(learner.lines[mine.line - 1]);
     problem.point_mass_only = contains(mine.message, "Sledge");
+
+    // braces that do not pair up inside a body are told best by counting them
+    for (const Body& body : learner.bodies) {
+        const std::string code = bare_code(body.text);
+        const auto opened = std::count(code.begin(), code.end(), '{'), closed = std::count(code.begin(), code.end(), '}');
+        if (opened == closed) continue;
+        problem.number = body.number;
+        problem.where = named(mine.file) + ":" + std::to_string(body.begin + 2);
+        problem.line = trimmed(learner.lines[body.begin + 1]);
+        problem.message = "Between its marks, the answer to " + body.number.text() + " opens " + std::to_string(opened) + " braces { and closes " + std::to_string(closed) + ".";
+        return problem;
+    }
 
     // a line of the skeleton's includes that is gone explains more than its consequences
     for (const auto& header : chapter_.headers) {

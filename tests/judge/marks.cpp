@@ -86,7 +86,7 @@ std::string Marked::text() const {
 
 std::optional<Number> Marked::at_line(std::size_t line) const {
     for (const Body& body : bodies)
-        if (line > body.begin + 1 && line < body.end + 1) return body.number;
+        if (line >= body.begin + 1 && line <= body.end + 2) return body.number;
     return std::nullopt;
 }
 

@@ -34,7 +34,7 @@ struct Marked {
 
     const Body* body(Number number) const;
     std::string text() const;
-    /// The exercise whose body holds this line, counted from 1 as compilers do.
+    /// The exercise whose body or marks or closing brace is at this line, counted from 1 as compilers do.
     std::optional<Number> at_line(std::size_t line) const;
 };
 Marked marked(std::string_view source);

@@ -49,7 +49,7 @@ inline double step_without_half(double tolerance, const Vector3& acceleration, d
     return whole_steps(duration, tolerance / (acceleration.norm() * duration));
 }
 inline double step_not_dividing(double tolerance, const Vector3& acceleration, double duration) {
-    return std::min(duration, 2 * tolerance / (acceleration.norm() * duration));
+    return 2 * tolerance / (acceleration.norm() * duration);
 }
 inline double step_rounded_to_nearest(double tolerance, const Vector3& acceleration, double duration) {
     return duration / std::max(1.0, std::round(duration * acceleration.norm() * duration / (2 * tolerance)));

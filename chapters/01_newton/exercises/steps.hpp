@@ -58,8 +58,8 @@ void ask_step(Paper& paper, const Answer& answer, double drag) {
     const Sledge sledge{2.5, body.position, body.mass * body.velocity};
     paper.input("a state of another type, with its own drift and kick, dt", dt);
     const Sledge slid = answer(sledge, tether, t, dt);
-    paper.output("its position [m]", slid.position, body.position, body.velocity * dt, gain * dt);
-    paper.output("its momentum [kg m/s]", slid.momentum, sledge.momentum, gain * body.mass);
+    paper.output("the other state's position [m]", slid.position, body.position, body.velocity * dt, gain * dt);
+    paper.output("the other state's momentum [kg m/s]", slid.momentum, sledge.momentum, gain * body.mass);
 #endif
 }
 
