@@ -61,6 +61,7 @@ constexpr Rule rules[] = {
     {R"(YOU_MIXED_MATRICES_OF_DIFFERENT_SIZES|INVALID_MATRIX_PRODUCT|INVALID_VECTOR_VECTOR_PRODUCT)", "Vectors or matrices of sizes that do not fit are joined here. For two vectors: .dot() gives a number, .cross() a vector."},
     {R"(cannot convert '(.*)' to '(.*)'|conversion from '(.*)' to non-scalar type '(.*)'|could not convert from '(.*)' to '(.*)'|no viable conversion from (?:returned value of type )?'(.*)' to (?:function return type )?'(.*)')",
      "A value of type $1$3$5$7 stands where a $2$4$6$8 is needed."},
+    {R"(invalid initialization of (?:non-const )?reference of type '(?:const )?(\w+)&' from (?:an rvalue|expression) of type '(.*)')", "A value of type $2 stands where a $1 is needed."},
     {R"(too (few|many) arguments to function)", "This function is called with too $1 values: look at its line in the header."},
     {R"(no match for call to)", "This is called with other values than it takes (forces is called as forces(state, t)): see the comment above the function."},
     {R"(no matching function for call to '(.*)'|no matching function for call to)", "No function can be called with these values: look at its line in the header."},
