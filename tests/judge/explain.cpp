@@ -10,27 +10,24 @@ namespace {
 
 /// "Eigen::CwiseBinaryOp<...>" and the like by names a learner knows; no namespaces, no lists of template arguments.
 std::string plain_types(std::string text) {
-    static const std::regex with(R"( \[with .*\])"), aka(R"('[^']*' \{aka '([^']*)'\})"), convert(R"(could not convert '.*' (from '[^']*' to '[^']*'))");
+    static const std::regex with(R"( \[with .*\])"), aka(R"('[^']*' [{(]aka '([^']*)'[)}])"), convert(R"(could not convert '.*' (from '[^']*' to '[^']*'))");
     text = std::regex_replace(std::regex_replace(text, aka, "'$1'"), with, "");
-    for (std::size_t at = text.find("Eigen::"); at != std::string::npos; at = text.find("Eigen::", at + 1)) {
-        std::size_t end = at + 7;
-        while (end < text.size() && (std::isalnum(static_cast<unsigned char>(text[end])) || text[end] == '_')) ++end;
-        const std::string name = text.substr(at + 7, end - at - 7);
-        if (end < text.size() && text[end] == '<') {
-            int depth = 0;
-            const std::size_t open = end;
-            do {
-                depth += text[end] == '<';
-                depth -= text[end] == '>';
-            } while (++end < text.size() && depth > 0);
-            const std::string inside = text.substr(open, end - open);
-            const std::string known = name == "Matrix" && starts_with(inside, "<double, 3, 1") ? "Vector3"
-                                      : name == "Matrix" && starts_with(inside, "<double, 3, 3") ? "Matrix3"
-                                      : name == "Quaternion" ? "Quaternion" : "an expression of vectors";
-            text.replace(at, end - at, known);
-        } else {
-            text.erase(at, 7);
-        }
+    text = replaced(text, "Eigen::", "");
+    for (std::size_t open = text.find('<'); open != std::string::npos; open = text.find('<', open + 1)) {
+        std::size_t begin = open, end = open;
+        while (begin > 0 && (std::isalnum(static_cast<unsigned char>(text[begin - 1])) || text[begin - 1] == '_')) --begin;
+        const std::string name = text.substr(begin, open - begin);
+        const bool matrix = name == "Matrix", quaternion = name == "Quaternion", expression = starts_with(name, "Cwise") || name == "Product" || name == "Transpose" || name == "Block";
+        if (!matrix && !quaternion && !expression) continue;
+        int depth = 0;
+        do {
+            depth += text[end] == '<';
+            depth -= text[end] == '>';
+        } while (++end < text.size() && depth > 0);
+        const std::string inside = text.substr(open, end - open);
+        const std::string known = quaternion ? "Quaternion" : starts_with(inside, "<double, 3, 1") && matrix ? "Vector3" : starts_with(inside, "<double, 3, 3") && matrix ? "Matrix3" : "an expression of vectors";
+        text.replace(begin, end - begin, known);
+        open = begin;
     }
     text = replaced(text, "<unresolved overloaded function type>", "the name of a function");
     if (const auto option = text.find(" [-W"); option != std::string::npos) text.erase(option);
@@ -42,6 +39,7 @@ struct Rule {
     const char* says;    ///< of the compiler: a regular expression
     const char* means;   ///< $1, $2: what the expression caught
 };
+constexpr const char* says_const = "This may not be changed: it is const. Work on a copy, or on what the function is given to change.";
 // first match wins
 constexpr Rule rules[] = {
     {R"(no return statement|control reaches end of non-void|non-void function does not return)", "The function can reach its end without giving a result: a return is missing."},
@@ -55,7 +53,7 @@ constexpr Rule rules[] = {
     {R"('(\w+)' was not declared in this scope|use of undeclared identifier '(\w+)')", "Nothing is called $1$2 here: is it spelled right, and declared above this line?"},
     {R"('(\w+)' does not name a type|unknown type name '(\w+)'|'(\w+)' has not been declared)", "No type is called $1$2$3 here: is it spelled right, and is its header included?"},
     {R"('(?:const )?(?:struct |class )?([\w:]+)(?:.*)' has no member named '(\w+)'(?:; did you mean '(\w+)')?|no member named '(\w+)' in '(.*)')", "$1$5 has no member called $2$4."},
-    {R"(in read-only object|is read-only|discards qualifiers|cannot assign to|no match for 'operator.?=' \(operand types are 'const )", "This may not be changed: it is const. Work on a copy, or on what the function is given to change."},
+    {R"(in read-only object|is read-only|discards qualifiers|cannot assign to|no match for 'operator.?=' \(operand types are 'const )", says_const},
     {R"(no match for '(operator.*?)' \(operand types are '(.*)' and '(.*)'\)|invalid operands of types '(.*)' and '(.*)')", "These two cannot be joined like this: $2$4 and $3$5."},
     {R"(invalid operands to binary expression \('(.*)' and '(.*)'\))", "These two cannot be joined like this: $1 and $2."},
     {R"(YOU_MIXED_MATRICES_OF_DIFFERENT_SIZES|INVALID_MATRIX_PRODUCT|INVALID_VECTOR_VECTOR_PRODUCT)", "Vectors or matrices of sizes that do not fit are joined here. For two vectors: .dot() gives a number, .cross() a vector."},
@@ -167,6 +165,26 @@ CompileProblem Sheets::explain(const std::string& said, const std::vector<Number
             problem.message = "Something here needs the line #include " + found[1].str() + " at the top of the file.";
             return problem;
         }
+    if (std::regex_search(problem.compiler, found, std::regex(R"(no member named '(\w+)' in namespace 'std')"))) {
+        const std::string name = found[1];
+        problem.message = "Something here needs the line #include <" + (name == "cout" || name == "cerr" || name == "endl" ? "iostream" : name) + "> at the top of the file.";
+        return problem;
+    }
+    // clang tells in a note why a function cannot be called
+    std::string notes;
+    for (std::size_t k = mine_at + 1; k < lines.size() && k < mine_at + 30 && !std::regex_match(lines[k], error); ++k)
+        if (contains(lines[k], " note: ")) notes += plain_types(lines[k].substr(lines[k].find(" note: "))) + "\n";
+    if (contains(problem.compiler, "no viable overloaded") && (contains(notes, "not marked const") || contains(notes, "conversion from 'const "))) {
+        problem.message = says_const;
+        return problem;
+    }
+    if (contains(problem.compiler, "no matching function")) {
+        if (std::regex_search(notes, found, std::regex(R"(requires (\d+) arguments, but (\d+) w)")))
+            problem.message = std::string("This function is called with too ") + (std::stoi(found[2]) < std::stoi(found[1]) ? "few" : "many") + " values: look at its line in the header.";
+        else if (std::regex_search(notes, found, std::regex(R"(no known conversion from '(?:const )?([^']*)' to '(?:const )?([^']*)')")))
+            problem.message = "A value of type " + found[1].str() + " stands where a " + found[2].str() + " is needed.";
+        if (!problem.message.empty()) return problem;
+    }
     for (const Rule& rule : rules)
         if (std::regex_search(problem.compiler, found, std::regex(rule.says))) {
             problem.message = replaced(found.format(rule.means), "const ", "");
