@@ -1,9 +1,9 @@
 // Chapter 3 · A better method out of several steps of a good one.
 //
-// A symmetric method of order 2 (Verlet) is wrong by a known shape of error, e2 dt^3 + e4 dt^5 + ...  Take
-// some steps forward and some back, of lengths w1 dt, w2 dt, ... that add up to dt, and choose them so that
-// the leading errors cancel. What comes out is again made of drifts and kicks only, so it keeps what Verlet
-// keeps.
+// A symmetric method of order 2 (Verlet) is wrong by a known shape of error, e2 dt^3 + e4 dt^5
+// + ...  Take some steps forward and some back, of lengths w1 dt, w2 dt, ... that add up to dt,
+// and choose them so that the leading errors cancel. What comes out is again made of drifts and
+// kicks only, so it keeps what Verlet keeps.
 #pragma once
 #include <array>
 #include <nutshell/newton.hpp>
@@ -11,7 +11,8 @@
 namespace nutshell {
 
 // [composed]
-/// One step made of `Count` steps of `method`, of lengths weights[i] * dt. The weights add up to 1.
+/// One step made of `Count` steps of `method`, of lengths weights[i] * dt. The weights add up
+/// to 1.
 template <class Method, std::size_t Count>
 struct Composed {
     Method method;
@@ -29,8 +30,8 @@ struct Composed {
 // [/composed]
 
 // [yoshida_weights]
-/// Three steps w1, w0, w1 of a symmetric second-order method give order 4 if 2 w1 + w0 = 1 and 2 w1^3 + w0^3
-/// = 0. Source: H. Yoshida, Phys. Lett. A 150 (1990) 262.
+/// Three steps w1, w0, w1 of a symmetric second-order method give order 4 if 2 w1 + w0 = 1 and
+/// 2 w1^3 + w0^3 = 0. Source: H. Yoshida, Phys. Lett. A 150 (1990) 262.
 inline std::array<double, 3> yoshida_weights() {
     // exercise 3.3
     const double w1 = 1 / (2 - std::cbrt(2.0)), w0 = 1 - 2 * w1;
@@ -59,14 +60,16 @@ struct Verlet {
     }
 };
 
-/// Yoshida's fourth-order method: three force evaluations a step, for forces of position and time.
+/// Yoshida's fourth-order method: three force evaluations a step, for forces of position and
+/// time.
 /// @tparam Push  what forces(state, t) gives
 template <class Push = Vector3>
 Composed<VerletFsal<Push>, 3> yoshida4() {
     return {{}, yoshida_weights()};
 }
 
-/// Kahan and Li's eighth-order method: fifteen force evaluations a step, for forces of position and time.
+/// Kahan and Li's eighth-order method: fifteen force evaluations a step, for forces of position
+/// and time.
 template <class Push = Vector3>
 Composed<VerletFsal<Push>, 15> kahan_li8() {
     return {{}, kahan_li_weights()};

@@ -1,7 +1,8 @@
-// Chapter 3 · Drag and springs without error: where a force is linear, its exact effect over a whole step is
-// known.
+// Chapter 3 · Drag and springs without error: where a force is linear, its exact effect over a
+// whole step is known.
 //
-// The forces given to these methods have a member `drag` (gamma [kg/s]) for the linear drag they contain.
+// The forces given to these methods have a member `drag` (gamma [kg/s]) for the linear drag
+// they contain.
 #pragma once
 #include <nutshell/newton.hpp>
 
@@ -28,15 +29,17 @@ inline double second_mean_decay(double x) {
 }
 
 // [exponential_kick]
-/// One step under a constant force and linear drag, exact at any step: the velocity falls towards the
-/// terminal velocity F/gamma as e^(-gamma t/m), and the drift adds up that velocity. First order where the
-/// force changes. Eqs. (3.d)-(3.e), written so that no drag (gamma = 0) is no special case.
+/// One step under a constant force and linear drag, exact at any step: the velocity falls
+/// towards the terminal velocity F/gamma as e^(-gamma t/m), and the drift adds up that
+/// velocity. First order where the force changes. Eqs. (3.d)-(3.e), written so that no drag
+/// (gamma = 0) is no special case.
 template <class State, class Forces>
 State exponential_kick(State state, const Forces& forces, double t, double dt) {
     // exercise 3.5
     const double x = forces.drag * dt / state.mass;
     const Vector3 acceleration = force_at_rest(state, forces, t) / state.mass;
-    state.position += state.velocity * dt * mean_decay(x) + acceleration * dt * dt * second_mean_decay(x);
+    state.position +=
+        state.velocity * dt * mean_decay(x) + acceleration * dt * dt * second_mean_decay(x);
     state.velocity = state.velocity * std::exp(-x) + acceleration * dt * mean_decay(x);
     return state;
     // end 3.5
@@ -44,9 +47,9 @@ State exponential_kick(State state, const Forces& forces, double t, double dt) {
 // [/exponential_kick]
 
 // [exponential_verlet]
-/// One step of Verlet with linear drag: half the drag, a Verlet step of the other forces, half the drag, the
-/// drag by its exact decay. Second order, symmetric, stable on a damped spring while omega dt < 2 (half-drag
-/// outermost).
+/// One step of Verlet with linear drag: half the drag, a Verlet step of the other forces, half
+/// the drag, the drag by its exact decay. Second order, symmetric, stable on a damped spring
+/// while omega dt < 2 (half-drag outermost).
 template <class State, class Forces>
 State exponential_verlet(State state, const Forces& forces, double t, double dt) {
     // exercise 3.6
@@ -62,9 +65,9 @@ State exponential_verlet(State state, const Forces& forces, double t, double dt)
 // [/exponential_verlet]
 
 // [exponential_verlet_inside]
-/// The same with the half-drags next to the drift: stable while (omega dt)^2 < 2 (1 + E)/sqrt(E), E =
-/// e^(-gamma dt/m). Keeps the force of its end for the next step ("first same as last"): one evaluation a
-/// step. One object per run.
+/// The same with the half-drags next to the drift: stable while (omega dt)^2 < 2 (1 +
+/// E)/sqrt(E), E = e^(-gamma dt/m). Keeps the force of its end for the next step ("first same
+/// as last"): one evaluation a step. One object per run.
 template <class Push = Vector3>
 struct ExponentialVerlet {
     std::optional<Push> kept = {};
@@ -84,8 +87,8 @@ struct ExponentialVerlet {
 // [/exponential_verlet_inside]
 
 // [semi_implicit_drag]
-/// Semi-implicit Euler with the drag by its exact decay, before the kick. First order; on a damped spring
-/// stable while omega dt < sqrt(2 (1 + e^(-gamma dt/m))).
+/// Semi-implicit Euler with the drag by its exact decay, before the kick. First order; on a
+/// damped spring stable while omega dt < sqrt(2 (1 + e^(-gamma dt/m))).
 template <class State, class Forces>
 State semi_implicit_exponential(State state, const Forces& forces, double t, double dt) {
     state.velocity *= std::exp(-forces.drag * dt / state.mass);
@@ -94,8 +97,9 @@ State semi_implicit_exponential(State state, const Forces& forces, double t, dou
     return state;
 }
 
-/// Semi-implicit Euler with implicit drag, that of the velocity at the end: a division. First order; on a
-/// damped spring stable while dt < (g + sqrt(g^2 + 4 omega^2))/omega^2, g = gamma/m.
+/// Semi-implicit Euler with implicit drag, that of the velocity at the end: a division. First
+/// order; on a damped spring stable while dt < (g + sqrt(g^2 + 4 omega^2))/omega^2, g =
+/// gamma/m.
 template <class State, class Forces>
 State semi_implicit_division(State state, const Forces& forces, double t, double dt) {
     kick(state, force_at_rest(state, forces, t), dt);
@@ -106,12 +110,13 @@ State semi_implicit_division(State state, const Forces& forces, double t, double
 // [/semi_implicit_drag]
 
 // [oscillation]
-/// What a damped oscillator x'' = -omega^2 x - g x' does in a time t, as a matrix on (x, x'). Exact in all
-/// three regimes (under-, critically and over-damped), to a few units of round-off; omega [rad/s] and g =
-/// gamma/m [1/s] not negative. Eq. (3.g).
+/// What a damped oscillator x'' = -omega^2 x - g x' does in a time t, as a matrix on (x, x').
+/// Exact in all three regimes (under-, critically and over-damped), to a few units of
+/// round-off; omega [rad/s] and g = gamma/m [1/s] not negative. Eq. (3.g).
 inline Eigen::Matrix2d oscillation(double omega, double g, double t) {
     const double d = g / 2, D = omega * omega - d * d;
-    double c, s;  // e^(-d t) cos(rt), e^(-d t) sin(rt)/r, r = sqrt(D); with cosh and sinh where D is negative
+    double c, s;  // e^(-d t) cos(rt), e^(-d t) sin(rt)/r, r = sqrt(D); with cosh and sinh where
+                  // D is negative
     if (const double r = std::sqrt(std::abs(D));
         r * t < 1e-4) {  // near critical: two terms of the series suffice
         c = std::exp(-d * t) * (1 - D * t * t / 2);
@@ -120,7 +125,8 @@ inline Eigen::Matrix2d oscillation(double omega, double g, double t) {
         c = std::exp(-d * t) * std::cos(r * t);
         s = std::exp(-d * t) * std::sin(r * t) / r;
     } else {
-        const double slow = std::exp(-omega * omega / (d + r) * t), fast = std::exp(-(d + r) * t);
+        const double slow = std::exp(-omega * omega / (d + r) * t),
+                     fast = std::exp(-(d + r) * t);
         c = (slow + fast) / 2;
         s = -slow * std::expm1(-2 * r * t) / (2 * r);
     }
@@ -131,8 +137,9 @@ inline Eigen::Matrix2d oscillation(double omega, double g, double t) {
 // [/oscillation]
 
 // [spring_propagator]
-/// The exact step of a body on a spring of rest length zero, with or without linear drag: four numbers,
-/// computed once for each length of step. Nothing is left to integrate; it asks for no force at all.
+/// The exact step of a body on a spring of rest length zero, with or without linear drag: four
+/// numbers, computed once for each length of step. Nothing is left to integrate; it asks for no
+/// force at all.
 struct SpringPropagator {
     double omega;      ///< sqrt(kappa/m) [rad/s]
     double g = 0;      ///< gamma/m [1/s]

@@ -1,4 +1,5 @@
-// Chapter 3 · A scene as a general-purpose method sees it: y' = f(t, y), with y one flat list of numbers.
+// Chapter 3 · A scene as a general-purpose method sees it: y' = f(t, y), with y one flat list
+// of numbers.
 #pragma once
 #include <nutshell/newton.hpp>
 #include <utility>
@@ -22,15 +23,16 @@ inline PointMass unflat(const FlatPoint& y, PointMass like) {
     return like;
 }
 
-/// How the flat state changes per second: position by the velocity, velocity by force [N] over mass.
+/// How the flat state changes per second: position by the velocity, velocity by force [N] over
+/// mass.
 inline FlatPoint rate(const PointMass& body, const Vector3& force) {
     FlatPoint y;
     y << body.velocity, force / body.mass;
     return y;
 }
 
-/// A scene turned into a flow; itself a scene, whose state is flat and whose push is y'. Works for every
-/// state that has flat, unflat and rate.
+/// A scene turned into a flow; itself a scene, whose state is flat and whose push is y'. Works
+/// for every state that has flat, unflat and rate.
 template <class Scene>
 struct Flow {
     using Flat = decltype(flat(std::declval<Scene>().start));

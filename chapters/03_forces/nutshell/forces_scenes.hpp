@@ -1,6 +1,6 @@
 // The scenes of chapter 3 that move one point mass. What a scene consists of: see
-// <nutshell/newton_scenes.hpp>. `drag` is the linear drag gamma [kg/s] that is part of the force; the
-// exponential methods treat it exactly.
+// <nutshell/newton_scenes.hpp>. `drag` is the linear drag gamma [kg/s] that is part of the
+// force; the exponential methods treat it exactly.
 #pragma once
 #include <nutshell/exponential.hpp>
 #include <nutshell/flow.hpp>
@@ -11,8 +11,8 @@
 namespace nutshell {
 
 // [falling]
-/// A stone sinks from rest in a thick liquid: weight and linear drag (scene S3 of the comparison with other
-/// engines). exact: closed form, eqs. (3.d)-(3.e); accurate to round-off.
+/// A stone sinks from rest in a thick liquid: weight and linear drag (scene S3 of the
+/// comparison with other engines). exact: closed form, eqs. (3.d)-(3.e); accurate to round-off.
 struct FallingWithDrag {
     std::string name = "falling_with_drag";
     double drag = 0.5;  // gamma [kg/s]
@@ -27,7 +27,8 @@ struct FallingWithDrag {
     PointMass exact(double t) const {
         const double x = drag * t / start.mass;
         const Vector3 v = terminal_velocity(), excess = start.velocity - v;
-        return {start.mass, start.position + v * t + excess * t * mean_decay(x), v + excess * std::exp(-x)};
+        return {start.mass, start.position + v * t + excess * t * mean_decay(x),
+                v + excess * std::exp(-x)};
     }
     double error(const PointMass& state, double t) const { return distance(state, exact(t)); }
 };
@@ -48,15 +49,18 @@ struct FallingInAir {
     double terminal_speed() const { return std::sqrt(start.mass * earth_gravity / air); }
     PointMass exact(double t) const {
         const double v = terminal_speed(), x = earth_gravity * t / v;
-        const double log_cosh = x + std::log1p(std::exp(-2 * x)) - std::log(2.0);  // does not overflow
-        return {start.mass, {0, -v * v / earth_gravity * log_cosh, 0}, {0, -v * std::tanh(x), 0}};
+        const double log_cosh =
+            x + std::log1p(std::exp(-2 * x)) - std::log(2.0);  // does not overflow
+        return {
+            start.mass, {0, -v * v / earth_gravity * log_cosh, 0}, {0, -v * std::tanh(x), 0}};
     }
     double error(const PointMass& state, double t) const { return distance(state, exact(t)); }
 };
 
 // [spring_scene]
-/// A mass on a spring of rest length zero, with or without linear drag (scenes S2 and S2d). Period 1 s
-/// without drag. exact: closed form in all regimes; accurate to about 1e-15 times the angle turned, omega t.
+/// A mass on a spring of rest length zero, with or without linear drag (scenes S2 and S2d).
+/// Period 1 s without drag. exact: closed form in all regimes; accurate to about 1e-15 times
+/// the angle turned, omega t.
 struct MassOnSpring {
     std::string name = "mass_on_spring";
     double stiffness = 4 * pi * pi;  // kappa [N/m]
@@ -81,7 +85,9 @@ struct MassOnSpring {
     Vector3 operator()(const PointMass& mass, double) const {
         return -stiffness * mass.position - drag * mass.velocity;
     }
-    PointMass exact(double t) const { return SpringPropagator{omega(), damping_rate()}(start, *this, 0, t); }
+    PointMass exact(double t) const {
+        return SpringPropagator{omega(), damping_rate()}(start, *this, 0, t);
+    }
     double error(const PointMass& state, double t) const { return distance(state, exact(t)); }
     double energy(const PointMass& mass) const {
         return kinetic_energy(mass) + stiffness * mass.position.squaredNorm() / 2;
@@ -90,13 +96,14 @@ struct MassOnSpring {
 // [/spring_scene]
 
 // [throw_scene]
-/// The ball of chapter 1, thrown through nothing, through honey or through air: the model ladder.
-/// exact: closed form where there is no air. With air there is none: a tight run stands for it, accurate to
-/// 1e-11 m (tests compare it with another method).
+/// The ball of chapter 1, thrown through nothing, through honey or through air: the model
+/// ladder. exact: closed form where there is no air. With air there is none: a tight run stands
+/// for it, accurate to 1e-11 m (tests compare it with another method).
 struct ThrowInAir {
     std::string name = "throw_in_air";
-    double drag = 0;                                   // linear, gamma [kg/s]
-    double air = air_drag(1.2, 0.47, pi * 0.1 * 0.1);  // quadratic, c [kg/m]: a ball of radius 10 cm
+    double drag = 0;  // linear, gamma [kg/s]
+    double air =
+        air_drag(1.2, 0.47, pi * 0.1 * 0.1);  // quadratic, c [kg/m]: a ball of radius 10 cm
     PointMass start{1, {0, 0, 0}, {10, 15, 0}};
     double duration = 3;  // [s]
     Need need{40.0 / 960, "m", "one pixel of its snapshot, 40 m across 960 pixels"};
@@ -108,8 +115,8 @@ struct ThrowInAir {
     PointMass exact(double t) const {
         if (t == 0) return start;
         if (air == 0) return exponential_kick(start, *this, 0, t);
-        const FlatPoint y = adaptive(flat(start), Flow<ThrowInAir>(*this), 0, t, {1e-13, 1e-13}, t / 100,
-                                     [](const FlatPoint&, double) {});
+        const FlatPoint y = adaptive(flat(start), Flow<ThrowInAir>(*this), 0, t, {1e-13, 1e-13},
+                                     t / 100, [](const FlatPoint&, double) {});
         return unflat(y, start);
     }
     double error(const PointMass& state, double t) const { return distance(state, exact(t)); }

@@ -1,4 +1,5 @@
-// Chapter 3 · Implicit methods: the step is an equation for where it ends. Dear, and stable at any step.
+// Chapter 3 · Implicit methods: the step is an equation for where it ends. Dear, and stable at
+// any step.
 #pragma once
 #include <Eigen/LU>
 #include <limits>
@@ -11,8 +12,8 @@ template <class Flat>
 using SquareOf = Eigen::Matrix<double, Flat::RowsAtCompileTime, Flat::RowsAtCompileTime>;
 
 // [jacobian]
-/// How each rate changes with each number of y, d flow_i / d y_j, by forward differences: as many evaluations
-/// as y has numbers, and one. @param rate  flow(y, t), known already
+/// How each rate changes with each number of y, d flow_i / d y_j, by forward differences: as
+/// many evaluations as y has numbers, and one. @param rate  flow(y, t), known already
 template <class Flat, class Rate>
 SquareOf<Flat> jacobian(const Rate& flow, const Flat& y, const Flat& rate, double t) {
     const double scale = y.cwiseAbs().maxCoeff(), width = 1e-8 * (scale > 1e-290 ? scale : 1);
@@ -27,8 +28,9 @@ SquareOf<Flat> jacobian(const Rate& flow, const Flat& y, const Flat& rate, doubl
 // [/jacobian]
 
 // [implicit_euler]
-/// One step of implicit Euler: the z that solves z = y + dt flow(z, t + dt), by Newton's method. First order;
-/// damps an undamped spring by 1/(1 + (omega dt)^2) of its energy a step, at any step. The plain repetition z
+/// One step of implicit Euler: the z that solves z = y + dt flow(z, t + dt), by Newton's
+/// method. First order; damps an undamped spring by 1/(1 + (omega dt)^2) of its energy a step,
+/// at any step. The plain repetition z
 /// <- y + dt flow(z) would diverge beyond omega dt = 1; Newton's method does not.
 /// @throws std::runtime_error if 50 turns do not reach round-off
 template <class Flat, class Rate>
@@ -48,15 +50,16 @@ Flat implicit_euler(const Flat& y, const Rate& flow, double t, double dt) {
             return z;  // round-off reached
         last = size;
     }
-    throw std::runtime_error("implicit_euler: Newton's method found no end of the step at t = " +
-                             std::to_string(t) + " s: try a smaller dt than " + std::to_string(dt) + " s");
+    throw std::runtime_error(
+        "implicit_euler: Newton's method found no end of the step at t = " + std::to_string(t) +
+        " s: try a smaller dt than " + std::to_string(dt) + " s");
 }
 // [/implicit_euler]
 
 // [implicit_midpoint]
-/// One step of the implicit midpoint rule: an implicit Euler step to the middle, then as far again. Second
-/// order; keeps the energy of a spring to round-off at any step, and shows it too slow when the step is
-/// large.
+/// One step of the implicit midpoint rule: an implicit Euler step to the middle, then as far
+/// again. Second order; keeps the energy of a spring to round-off at any step, and shows it too
+/// slow when the step is large.
 template <class Flat, class Rate>
 Flat implicit_midpoint(const Flat& y, const Rate& flow, double t, double dt) {
     return 2 * implicit_euler(y, flow, t, dt / 2) - y;

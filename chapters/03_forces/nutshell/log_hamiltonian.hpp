@@ -11,21 +11,25 @@ struct TimedPlanet {
     double time = 0;  ///< [s]
 };
 
-/// The leapfrog of the logarithmic Hamiltonian. Its step is not a time but an angle: a drift lasts ds/(v^2/2
-/// + B), a kick r ds/GM, so both are short near the sun and long far from it. B = GM/r - v^2/2 is the binding
-/// energy per mass of the start. Every step ends on the exact ellipse, to round-off; only the time at which
-/// it gets there is wrong, by O(ds^2). 2 pi of s is one orbit if GM = a = 1. For Kepler's force only;
-/// symmetric, so `Composed` raises its order. Source: S. Mikkola and K. Tanikawa, Celest. Mech. Dyn. Astron.
-/// 74 (1999) 287; M. Preto and S. Tremaine, Astron. J. 118 (1999) 2532.
+/// The leapfrog of the logarithmic Hamiltonian. Its step is not a time but an angle: a drift
+/// lasts ds/(v^2/2
+/// + B), a kick r ds/GM, so both are short near the sun and long far from it. B = GM/r - v^2/2
+/// is the binding energy per mass of the start. Every step ends on the exact ellipse, to
+/// round-off; only the time at which it gets there is wrong, by O(ds^2). 2 pi of s is one orbit
+/// if GM = a = 1. For Kepler's force only; symmetric, so `Composed` raises its order. Source:
+/// S. Mikkola and K. Tanikawa, Celest. Mech. Dyn. Astron. 74 (1999) 287; M. Preto and S.
+/// Tremaine, Astron. J. 118 (1999) 2532.
 struct LogHamiltonian {
     double gm;       ///< gravity constant times the mass of the sun [m^3/s^2]
     double binding;  ///< B [m^2/s^2], greater than zero
 
     LogHamiltonian(double gm_of_sun, const PointMass& start)
-        : gm(gm_of_sun), binding(gm_of_sun / start.position.norm() - start.velocity.squaredNorm() / 2) {
+        : gm(gm_of_sun),
+          binding(gm_of_sun / start.position.norm() - start.velocity.squaredNorm() / 2) {
         require_positive(gm, "LogHamiltonian: GM");
-        require_positive(binding,
-                         "LogHamiltonian: the binding energy GM/r - v^2/2 (the orbit must be an ellipse)");
+        require_positive(
+            binding,
+            "LogHamiltonian: the binding energy GM/r - v^2/2 (the orbit must be an ellipse)");
     }
     void half_drift(TimedPlanet& planet, double ds) const {
         const double dt = ds / 2 / (planet.body.velocity.squaredNorm() / 2 + binding);
@@ -43,8 +47,9 @@ struct LogHamiltonian {
 // [/log_hamiltonian]
 
 // [run_until]
-/// Makes steps of `ds` until the planet's time reaches `end` [s], the last one shortened to end there: its
-/// length is found by a few trial steps (secants). @param method  LogHamiltonian, or a composition of it
+/// Makes steps of `ds` until the planet's time reaches `end` [s], the last one shortened to end
+/// there: its length is found by a few trial steps (secants). @param method  LogHamiltonian, or
+/// a composition of it
 template <class Method>
 TimedPlanet run_until(TimedPlanet planet, Method method, double end, double ds) {
     require_positive(ds, "run_until: the step ds");

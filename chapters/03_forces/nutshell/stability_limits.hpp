@@ -1,6 +1,6 @@
-// Chapter 3 · The largest stable steps, from theory. omega = sqrt(kappa/m) [rad/s], g = gamma/m [1/s]; a
-// limit in seconds. Below its limit a method's error stays bounded for ever, above it grows by a factor every
-// step.
+// Chapter 3 · The largest stable steps, from theory. omega = sqrt(kappa/m) [rad/s], g = gamma/m
+// [1/s]; a limit in seconds. Below its limit a method's error stays bounded for ever, above it
+// grows by a factor every step.
 #pragma once
 #include <array>
 #include <cmath>
@@ -22,8 +22,8 @@ inline double euler_limit(double omega, double g) {
 // [/euler_limit]
 
 // [semi_implicit_limit]
-/// Semi-implicit Euler with the drag in its kick: 2/omega without drag, 2/g without spring. Eq. (3.j), which
-/// is
+/// Semi-implicit Euler with the drag in its kick: 2/omega without drag, 2/g without spring. Eq.
+/// (3.j), which is
 /// (-g + sqrt(g^2 + 4 omega^2))/omega^2 written without its cancellation.
 inline double semi_implicit_limit(double omega, double g) {
     // exercise 3.8
@@ -32,13 +32,14 @@ inline double semi_implicit_limit(double omega, double g) {
 }
 // [/semi_implicit_limit]
 
-/// Semi-implicit Euler with implicit drag (`semi_implicit_division`): drag makes it more stable.
+/// Semi-implicit Euler with implicit drag (`semi_implicit_division`): drag makes it more
+/// stable.
 inline double division_limit(double omega, double g) {
     return (g + std::sqrt(g * g + 4 * omega * omega)) / (omega * omega);
 }
 
-/// The first dt at which margin(dt), positive while stable, is no longer so; searched in steps of `stride`
-/// [s], then bisected. Infinite if it stays positive to `stride` * 10000.
+/// The first dt at which margin(dt), positive while stable, is no longer so; searched in steps
+/// of `stride` [s], then bisected. Infinite if it stays positive to `stride` * 10000.
 inline double first_limit(const std::function<double(double)>& margin, double stride) {
     require_positive(stride, "first_limit: the stride [s]");
     double high = stride;
@@ -53,10 +54,12 @@ inline double first_limit(const std::function<double(double)>& margin, double st
 }
 
 // [implicit_limits]
-/// Semi-implicit Euler with exponential drag (`semi_implicit_exponential`): (omega dt)^2 < 2 (1 + e^(-g dt)).
+/// Semi-implicit Euler with exponential drag (`semi_implicit_exponential`): (omega dt)^2 < 2 (1
+/// + e^(-g dt)).
 inline double exponential_limit(double omega, double g) {
-    return first_limit([=](double dt) { return 2 * (1 + std::exp(-g * dt)) - omega * omega * dt * dt; },
-                       0.01 / omega);
+    return first_limit(
+        [=](double dt) { return 2 * (1 + std::exp(-g * dt)) - omega * omega * dt * dt; },
+        0.01 / omega);
 }
 
 /// Verlet with the drag inside its kicks, the force evaluated again at the end of the step:
@@ -75,43 +78,50 @@ inline double exponential_verlet_limit(double omega) {
     return 2 / omega;
 }
 
-/// `ExponentialVerlet`, the half-drags next to the drift: (omega dt)^2 < 2 (1 + E)/sqrt(E), E = e^(-g dt),
-/// which is 4 cosh(g dt/2).
+/// `ExponentialVerlet`, the half-drags next to the drift: (omega dt)^2 < 2 (1 + E)/sqrt(E), E =
+/// e^(-g dt), which is 4 cosh(g dt/2).
 inline double exponential_verlet_inside_limit(double omega, double g) {
-    return first_limit([=](double dt) { return 4 * std::cosh(g * dt / 2) - omega * omega * dt * dt; },
-                       0.01 / (omega + g));
+    return first_limit(
+        [=](double dt) { return 4 * std::cosh(g * dt / 2) - omega * omega * dt * dt; },
+        0.01 / (omega + g));
 }
 // [/implicit_limits]
 
 using Complex = std::complex<double>;
 
 // [amplification]
-/// What one step of a general-purpose method multiplies the solution of y' = lambda y by, z = lambda dt. The
-/// truth is e^z; a step is stable where |R(z)| <= 1.
+/// What one step of a general-purpose method multiplies the solution of y' = lambda y by, z =
+/// lambda dt. The truth is e^z; a step is stable where |R(z)| <= 1.
 struct Amplification {
     static Complex euler(Complex z) { return 1. + z; }
     static Complex midpoint(Complex z) { return 1. + z * (1. + z / 2.); }
-    static Complex rk4(Complex z) { return 1. + z * (1. + z / 2. * (1. + z / 3. * (1. + z / 4.))); }
-    static Complex dormand_prince(Complex z) { return rk4(z) + z * z * z * z * z * (1. / 120 + z / 600.); }
+    static Complex rk4(Complex z) {
+        return 1. + z * (1. + z / 2. * (1. + z / 3. * (1. + z / 4.)));
+    }
+    static Complex dormand_prince(Complex z) {
+        return rk4(z) + z * z * z * z * z * (1. / 120 + z / 600.);
+    }
     static Complex implicit_euler(Complex z) { return 1. / (1. - z); }
     static Complex implicit_midpoint(Complex z) { return (1. + z / 2.) / (1. - z / 2.); }
 };
 // [/amplification]
 
-/// The pair of rates lambda of a damped spring: -g/2 +- sqrt(g^2/4 - omega^2), complex below critical
-/// damping.
+/// The pair of rates lambda of a damped spring: -g/2 +- sqrt(g^2/4 - omega^2), complex below
+/// critical damping.
 inline std::array<Complex, 2> spring_rates(double omega, double g) {
     const Complex root = std::sqrt(Complex(g * g / 4 - omega * omega));
     return {-g / 2 + root, -g / 2 - root};
 }
 
-/// The limit of a general-purpose method on a damped spring: the first dt at which |R(lambda dt)| passes 1
-/// for either rate. Zero if already the smallest step is unstable; infinite if none is.
+/// The limit of a general-purpose method on a damped spring: the first dt at which |R(lambda
+/// dt)| passes 1 for either rate. Zero if already the smallest step is unstable; infinite if
+/// none is.
 inline double general_limit(Complex (*amplification)(Complex), double omega, double g) {
     const auto rates = spring_rates(omega, g);
     const auto margin = [&](double dt) {
         return 1 + 1e-13 -
-               std::max(std::abs(amplification(rates[0] * dt)), std::abs(amplification(rates[1] * dt)));
+               std::max(std::abs(amplification(rates[0] * dt)),
+                        std::abs(amplification(rates[1] * dt)));
     };
     const double stride = 0.01 / (omega + g), limit = first_limit(margin, stride);
     return limit < stride * 1.000001 ? 0 : limit;

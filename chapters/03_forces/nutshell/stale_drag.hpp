@@ -1,13 +1,15 @@
-// Chapter 3 · A mistake kept for its lesson: drag computed from the velocity of the step before.
+// Chapter 3 · A mistake kept for its lesson: drag computed from the velocity of the step
+// before.
 #pragma once
 #include <nutshell/newton.hpp>
 
 namespace nutshell::mistakes {
 
 // [stale_drag]
-/// Euler in the order of the source's program (E59): it works out its forces before it refreshes the velocity
-/// from the momentum, so they see the velocity of one step ago. Drag then follows v'' = v' - x v, x = gamma
-/// dt/m: it swings beyond x = 1/4 and grows beyond x = 1, where Euler itself holds to 2.
+/// Euler in the order of the source's program (E59): it works out its forces before it
+/// refreshes the velocity from the momentum, so they see the velocity of one step ago. Drag
+/// then follows v'' = v' - x v, x = gamma dt/m: it swings beyond x = 1/4 and grows beyond x =
+/// 1, where Euler itself holds to 2.
 struct StaleEuler {
     std::optional<Vector3> last_velocity = {};
 
