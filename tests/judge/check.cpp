@@ -3,7 +3,9 @@
 #include <csignal>
 #include <cstring>
 #include <functional>
+#include <map>
 #include <sstream>
+#include <stdexcept>
 #include "diagnosis.hpp"
 #include "text.hpp"
 
@@ -51,11 +53,12 @@ std::vector<Number> called_by(const Chapter& chapter, const Own& own, Number num
 
 std::string quote_printed(const Ran& ran) {
     std::string text;
-    for (const auto& [stream, printed] : {std::pair{"standard output", &ran.out}, {"standard error", &ran.err}}) {
+    for (const auto& [stream, printed] :
+         {std::pair{"standard output", &ran.out}, {"standard error", &ran.err}}) {
         if (printed->empty()) continue;
         text += std::string("  It printed on ") + stream + ":\n";
         for (const auto& line : excerpt(*printed)) {
-            const auto assertion = line.find("Assertion `");       // without the library's own place
+            const auto assertion = line.find("Assertion `");  // without the library's own place
             text += "    | " + (assertion == std::string::npos ? line : line.substr(assertion)) + "\n";
         }
     }
@@ -65,8 +68,8 @@ std::string quote_printed(const Ran& ran) {
 /// Verdict on one exercise that compiled.
 /// @param broken  those that were left out because they do not compile
 /// @param other_states  whether the sheet asks about states of other types
-Verdict judge(const Chapter& chapter, const Sheets& sheets, const Sheet& sheet, Number number, const std::string& where,
-              const std::vector<Number>& broken, bool other_states) {
+Verdict judge(const Chapter& chapter, const Sheets& sheets, const Sheet& sheet, Number number,
+              const std::string& where, const std::vector<Number>& broken, bool other_states) {
     const auto& exercise = exercise_of(number);
     const exercises::Record reference = record_of(exercise.reference, other_states);
     const SheetAnswer answer = sheets.ask(sheet, number);
@@ -74,7 +77,7 @@ Verdict judge(const Chapter& chapter, const Sheets& sheets, const Sheet& sheet, 
     Verdict verdict{number, Outcome::failed, "", "", {}};
     std::string words;
     const auto say = [&](const std::string& sentence) { words += folded(sentence, 2); };
-    std::string input;      // the one it was working on
+    std::string input;  // the one it was working on
     if (answer.outputs.size() < reference.outputs.size())
         input = reference.inputs[reference.outputs[answer.outputs.size()].input];
 
@@ -85,28 +88,38 @@ Verdict judge(const Chapter& chapter, const Sheets& sheets, const Sheet& sheet, 
     if (answer.unanswered) {
         verdict.outcome = Outcome::blocked, verdict.name = "blocked by " + answer.unanswered->text();
         const bool is_broken = std::find(broken.begin(), broken.end(), *answer.unanswered) != broken.end();
-        verdict.words = folded("Your answer to " + number.text() + " calls " + exercise_of(*answer.unanswered).function + ", which is exercise " +
-                                   answer.unanswered->text() + (is_broken ? " and does not compile. Mend that one first." : " and not answered yet. Answer that one first."), 2);
+        verdict.words =
+            folded("Your answer to " + number.text() + " calls " + exercise_of(*answer.unanswered).function +
+                       ", which is exercise " + answer.unanswered->text() +
+                       (is_broken ? " and does not compile. Mend that one first."
+                                  : " and not answered yet. Answer that one first."),
+                   2);
         return verdict;
     }
     if (answer.threw) {
-        if (contains(*answer.threw, "bad_alloc") || contains(*answer.threw, "length_error") || contains(*answer.threw, "_M_")) {
+        if (contains(*answer.threw, "bad_alloc") || contains(*answer.threw, "length_error") ||
+            contains(*answer.threw, "_M_")) {
             verdict.name = "too much memory";
-            say("It asks for more memory than there is for it (1 GB): does something grow in a loop without end? (" + *answer.threw + ")");
+            say("It asks for more memory than there is for it (1 GB): does something grow in a loop without "
+                "end? (" +
+                *answer.threw + ")");
         } else {
             verdict.name = "throws";
             say("It throws an exception: " + *answer.threw);
         }
     } else if (ran.out_of_time) {
         verdict.name = "endless loop";
-        say("It does not come to an end: stopped after 2 seconds of work (or 5 of waiting). An endless loop? Look at the condition and at what changes in the loop.");
+        say("It does not come to an end: stopped after 2 seconds of work (or 5 of waiting). An endless loop? "
+            "Look at the condition and at what changes in the loop.");
     } else if (ran.printed_too_much) {
         verdict.name = "prints without end";
         say("It prints without end: stopped. Is there a print in a loop that does not end?");
     } else if (ran.signal == SIGABRT && contains(ran.err, "Assertion")) {
         verdict.name = "stopped by an assertion";
         const bool index = contains(ran.err, "index >=") || contains(ran.err, "row >=");
-        say(index ? "It asks for an element that a vector or matrix does not have: components are counted from 0." : "A check inside a library stopped it; its words are below.");
+        say(index ? "It asks for an element that a vector or matrix does not have: components are counted "
+                    "from 0."
+                  : "A check inside a library stopped it; its words are below.");
     } else if (ran.signal == SIGABRT) {
         verdict.name = "aborts";
         say("It called abort(), or an exception was thrown where none may leave.");
@@ -119,7 +132,8 @@ Verdict judge(const Chapter& chapter, const Sheets& sheets, const Sheet& sheet, 
             "): an index out of range, a pointer to nothing, or a function that calls itself without end.");
     } else if (!answer.ended) {
         verdict.name = "ends the program";
-        say("It ended the program by itself (exit code " + std::to_string(ran.exit_code) + ") instead of returning: no exit() in an answer, only return.");
+        say("It ended the program by itself (exit code " + std::to_string(ran.exit_code) +
+            ") instead of returning: no exit() in an answer, only return.");
     }
     if (!verdict.name.empty()) {
         if (!input.empty()) say("The input: " + input);
@@ -138,11 +152,13 @@ Verdict judge(const Chapter& chapter, const Sheets& sheets, const Sheet& sheet, 
     for (const auto& sentence : diagnosis.words) say(sentence);
     words += folded("Seen with " + diagnosis.seen + ":", 2);
     const std::string what = diagnosis.output;
-    words += "    " + what + "\n      yours     " + diagnosis.yours + "\n      expected  " + diagnosis.expected + "\n";
+    words += "    " + what + "\n      yours     " + diagnosis.yours + "\n      expected  " +
+             diagnosis.expected + "\n";
     for (const auto& warning : sheet.warnings) say("The compiler notes: " + warning);
     if (!where.empty()) words += "  Where: " + where + "\n";
     if (!exercise.picture.empty())
-        say("A picture says more: ./course run " + std::to_string(chapter.number) + " --mine draws yours, out/mine/" + chapter.folder + "/" + exercise.picture);
+        say("A picture says more: ./course run " + std::to_string(chapter.number) +
+            " --mine draws yours, out/mine/" + chapter.folder + "/" + exercise.picture);
     verdict.words = words + quote_printed(ran);
     return verdict;
 }
@@ -150,17 +166,20 @@ Verdict judge(const Chapter& chapter, const Sheets& sheets, const Sheet& sheet, 
 std::string compile_words(const CompileProblem& problem) {
     std::string words;
     if (!problem.where.empty()) {
-        words += "  " + problem.where + (problem.number ? "  (exercise " + problem.number->text() + ")" : "") + "\n";
+        words += "  " + problem.where +
+                 (problem.number ? "  (exercise " + problem.number->text() + ")" : "") + "\n";
         if (!problem.line.empty()) words += "    " + problem.line + "\n";
     }
     words += folded(problem.message, 2);
-    if (!problem.where.empty() && !problem.compiler.empty()) words += folded("The compiler says: " + problem.compiler, 2);
+    if (!problem.where.empty() && !problem.compiler.empty())
+        words += folded("The compiler says: " + problem.compiler, 2);
     return words;
 }
 
 }  // namespace
 
-std::vector<Verdict> check(const Rooms& rooms, const Chapter& chapter, const std::vector<Number>& numbers, bool isolate) {
+std::vector<Verdict> check(const Rooms& rooms, const Chapter& chapter, const std::vector<Number>& numbers,
+                           bool isolate) {
     const Own own = read_own(rooms, chapter);
     std::map<Number, Verdict> verdicts;
     const auto where = [&](Number number) {
@@ -176,31 +195,42 @@ std::vector<Verdict> check(const Rooms& rooms, const Chapter& chapter, const std
         Verdict& verdict = verdicts[number] = {number, Outcome::not_judged, "not judged", "", {}};
         if (!file.text) {
             verdict.name = "file missing";
-            verdict.words = folded(named(rooms, file.path) + " is missing. ./course start makes it anew, and touches no other file.", 2);
+            verdict.words =
+                folded(named(rooms, file.path) +
+                           " is missing. ./course start makes it anew, and touches no other file.",
+                       2);
         } else if (trimmed(*file.text).empty()) {
             verdict.name = "file empty";
-            verdict.words = folded(named(rooms, file.path) + " is empty. ./course reset " + number.text() + " writes it anew.", 2);
+            verdict.words = folded(
+                named(rooms, file.path) + " is empty. ./course reset " + number.text() + " writes it anew.",
+                2);
         } else if (const Body* body = file.source.body(number); body && is_unanswered(*body)) {
             verdict.outcome = Outcome::unanswered, verdict.name = "not answered yet";
         } else {
             asked.push_back(number);
         }
-        if (const auto complaint = file.source.complaints.find(number); complaint != file.source.complaints.end())
-            verdict.notes.push_back("in " + named(rooms, file.path) + " " + complaint->second + " (./course reset " + number.text() + " and run --mine need it)");
+        if (const auto complaint = file.source.complaints.find(number);
+            complaint != file.source.complaints.end())
+            verdict.notes.push_back("in " + named(rooms, file.path) + " " + complaint->second +
+                                    " (./course reset " + number.text() + " and run --mine need it)");
         else if (file.text && !trimmed(*file.text).empty() && !file.source.body(number))
-            verdict.notes.push_back("in " + named(rooms, file.path) + " the marks `// exercise " + number.text() + "` and `// end " + number.text() +
-                                    "` are gone: put them back on lines of their own round the body (./course reset " + number.text() + " and run --mine need them)");
+            verdict.notes.push_back(
+                "in " + named(rooms, file.path) + " the marks `// exercise " + number.text() +
+                "` and `// end " + number.text() +
+                "` are gone: put them back on lines of their own round the body (./course reset " +
+                number.text() + " and run --mine need them)");
     }
 
     // with those they call, so that the true cause can be named
     std::vector<Number> compiled = asked;
     for (std::size_t i = 0; i < compiled.size(); ++i)
         for (const Number other : called_by(chapter, own, compiled[i]))
-            if (std::find(compiled.begin(), compiled.end(), other) == compiled.end()) compiled.push_back(other);
+            if (std::find(compiled.begin(), compiled.end(), other) == compiled.end())
+                compiled.push_back(other);
     std::sort(compiled.begin(), compiled.end());
 
     bool one_state = false;
-    std::vector<Number> broken;     // left out by `isolate`
+    std::vector<Number> broken;  // left out by `isolate`
     while (!asked.empty()) {
         const Sheets sheets(rooms, chapter, broken.empty() ? fs::path() : rooms.work / "overlay");
         Sheet sheet = sheets.compile(compiled, one_state);
@@ -211,7 +241,8 @@ std::vector<Verdict> check(const Rooms& rooms, const Chapter& chapter, const std
         if (!sheet.problem) {
             std::map<Number, Verdict> seen;
             const std::function<const Verdict&(Number)> judged = [&](Number number) -> const Verdict& {
-                if (!seen.count(number)) seen[number] = judge(chapter, sheets, sheet, number, where(number), broken, !one_state);
+                if (!seen.count(number))
+                    seen[number] = judge(chapter, sheets, sheet, number, where(number), broken, !one_state);
                 return seen[number];
             };
             for (const Number number : asked) {
@@ -220,15 +251,23 @@ std::vector<Verdict> check(const Rooms& rooms, const Chapter& chapter, const std
                     for (const Number other : called_by(chapter, own, number)) {
                         if (judged(other).outcome == Outcome::passed) continue;
                         verdict.outcome = Outcome::blocked, verdict.name = "blocked by " + other.text();
-                        verdict.words = folded("Your answer to " + number.text() + " calls " + exercise_of(other).function + ", exercise " + other.text() +
-                                                   ", which is not right yet (" + judged(other).name + "). Once that is, this may be right too: ./course check " + other.text(), 2);
+                        verdict.words = folded(
+                            "Your answer to " + number.text() + " calls " + exercise_of(other).function +
+                                ", exercise " + other.text() + ", which is not right yet (" +
+                                judged(other).name +
+                                "). Once that is, this may be right too: ./course check " + other.text(),
+                            2);
                         break;
                     }
-                verdict.notes.insert(verdict.notes.begin(), verdicts[number].notes.begin(), verdicts[number].notes.end());
+                verdict.notes.insert(verdict.notes.begin(), verdicts[number].notes.begin(),
+                                     verdicts[number].notes.end());
                 if (const Body* body = own.of(chapter, number).source.body(number);
-                    one_state && verdict.outcome == Outcome::passed && body && (names(bare_code(body->text), "velocity") || names(bare_code(body->text), "PointMass")))
-                    verdict.notes.push_back(number.text() + " moves a PointMass only, for it names its members. Said with drift and kick, the same lines will move "
-                                                            "the states of later chapters too, which have no velocity.");
+                    one_state && verdict.outcome == Outcome::passed && body &&
+                    (names(bare_code(body->text), "velocity") || names(bare_code(body->text), "PointMass")))
+                    verdict.notes.push_back(number.text() +
+                                            " moves a PointMass only, for it names its members. Said with "
+                                            "drift and kick, the same lines will move "
+                                            "the states of later chapters too, which have no velocity.");
                 verdicts[number] = verdict;
             }
             break;
@@ -241,7 +280,8 @@ std::vector<Verdict> check(const Rooms& rooms, const Chapter& chapter, const std
             Verdict& verdict = verdicts[number];
             if (!culprit || *culprit == number || asked.size() == 1) {
                 verdict.outcome = Outcome::not_compiled;
-                verdict.name = culprit && *culprit != number ? culprit->text() + " does not compile" : "does not compile";
+                verdict.name = culprit && *culprit != number ? culprit->text() + " does not compile"
+                                                             : "does not compile";
                 verdict.words = words;
             } else if (!apart) {
                 verdict.name = "not judged: " + culprit->text() + " does not compile";
@@ -254,7 +294,8 @@ std::vector<Verdict> check(const Rooms& rooms, const Chapter& chapter, const std
         for (const Number number : broken) bodies[number] = unanswered(number) + "\n";
         for (std::size_t i = 0; i < own.files.size(); ++i)
             if (own.files[i].text)
-                write_text(rooms.work / "overlay" / chapter.headers[i].path, with_stand_ins(own.files[i].source, bodies, own.files[i].path.string()));
+                write_text(rooms.work / "overlay" / chapter.headers[i].path,
+                           with_stand_ins(own.files[i].source, bodies, own.files[i].path.string()));
     }
 
     std::vector<Verdict> all;

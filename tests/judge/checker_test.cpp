@@ -1,121 +1,9 @@
 // The checker on answers of every kind, each with the words a learner needs.
+#include <algorithm>
 #include "../check.hpp"
 #include "learner.hpp"
 
 using namespace nutshell::judge;
-
-namespace {
-
-/// The verdict on exercise 1.1 with this body.
-Verdict on_first(const Learner& learner, const std::string& body) {
-    learner.answer({1, 1}, body);
-    return learner.check_one({1, 1});
-}
-
-/// Words as they were before they were folded into lines.
-std::string flat(const std::string& words) {
-    std::string text = replaced(words, "\n", " ");
-    while (contains(text, "  ")) text = replaced(text, "  ", " ");
-    return text;
-}
-
-/// What a learner must never see.
-void is_plain(const Verdict& verdict) {
-    for (const auto* word : {"template", "instantiation", "required from", "lambda", "Eigen::", "nutshell::", "build/", "sheet", "In file included"})
-        CHECK_FALSE(contains(verdict.words, word));
-}
-
-}  // namespace
-
-TEST_CASE("An answer that does not compile: the learner's own line first, in plain words") {
-    const Learner learner("compile errors");
-    struct Case {
-        std::string body, line, words;
-    };
-    for (const Case& each : {
-             Case{"    return (next_position - positoin) / dt;", "return (next_position - positoin) / dt;", "Do you mean position?"},
-             Case{"    const Vector3 way = next_position - position\n    return way / dt;", "way = next_position - position", "A semicolon is missing"},
-             Case{"    return dt / (next_position - position);", "return dt / (next_position - position);", "cannot be joined like this"},
-             Case{"    return (next_position - position).norm() / dt;", "norm() / dt", "A value of type double stands where a Vector3 is needed"},
-             Case{"    const Vector3 way = next_position - position;", "", "a return is missing"},
-             Case{"    std::deque<double> all;\n    return (next_position - position) / dt;", "std::deque", "needs the line #include <deque>"},
-             Case{"    if (dt > 0) {\n    return (next_position - position) / dt;", "if (dt > 0) {", "opens 1 braces { and closes 0"},
-             Case{"    return velocity_between(position, next_position);", "return velocity_between(position, next_position);", "too few values"},
-             Case{"    next_position -= position;\n    return next_position / dt;", "next_position -= position;", "it is const"},
-         }) {
-        const Verdict verdict = on_first(learner, each.body);
-        INFO(each.body << "\n" << verdict.words);
-        CHECK(verdict.outcome == Outcome::not_compiled);
-        CHECK(verdict.name == "does not compile");
-        const auto lines = lines_of(verdict.words);
-        REQUIRE(lines.size() >= 3);
-        CHECK_THAT(lines[0], ContainsSubstring("answers/01_newton/nutshell/newton.hpp:"));
-        CHECK_THAT(lines[1], ContainsSubstring(each.line));
-        CHECK_THAT(flat(verdict.words), ContainsSubstring(each.words));
-        CHECK(lines.size() <= 5);
-        is_plain(verdict);
-    }
-}
-
-TEST_CASE("An error inside a step that other code calls still points at the learner's line") {
-    const Learner learner("errors in templates");
-    learner.answer({1, 3}, "    const Vector3 push = forces(state, t).dot(state.position);\n    drift(state, dt);\n    kick(state, push, dt);\n    return state;");
-    const Verdict verdict = learner.check_one({1, 3});
-    INFO(verdict.words);
-    CHECK(verdict.outcome == Outcome::not_compiled);
-    CHECK_THAT(lines_of(verdict.words).at(1), ContainsSubstring("forces(state, t).dot(state.position)"));
-    is_plain(verdict);
-}
-
-TEST_CASE("A changed signature, a deleted function, a missing include, an empty file") {
-    const Learner learner("headers");
-    const Number first{1, 1};
-    const std::string whole = learner.text(first);
-    learner.solve(first);
-    const std::string solved = learner.text(first);
-
-    learner.replace(first, "velocity_between(const Vector3& position,", "velocity_between(int step, const Vector3& position,");
-    Verdict verdict = learner.check_one(first);
-    INFO(verdict.words);
-    CHECK(verdict.outcome == Outcome::not_compiled);
-    CHECK_THAT(flat(verdict.words), ContainsSubstring("velocity_between cannot be called as the chapter calls it. Its first line must stay as it was"));
-    CHECK_THAT(flat(verdict.words), ContainsSubstring("Vector3 velocity_between(const Vector3& position"));
-    is_plain(verdict);
-
-    learner.write(first, replaced(solved, "inline Vector3 velocity_between", "inline double velocity_between"));
-    verdict = learner.check_one(first);
-    CHECK(verdict.outcome == Outcome::not_compiled);
-    is_plain(verdict);
-
-    learner.write(first, replaced(solved, "velocity_between", "speed_between"));
-    verdict = learner.check_one(first);
-    CHECK(verdict.outcome == Outcome::not_compiled);
-    CHECK_THAT(flat(verdict.words), ContainsSubstring("velocity_between cannot be called as the chapter calls it"));
-
-    learner.write(first, replaced(solved, "// end 1.1", "#include <no_such_thing.hpp>\n    // end 1.1"));
-    verdict = learner.check_one(first);
-    CHECK(verdict.outcome == Outcome::not_compiled);
-    CHECK_THAT(flat(verdict.words), ContainsSubstring("There is no file no_such_thing.hpp to include"));
-
-    learner.write(first, "");
-    verdict = learner.check_one(first);
-    CHECK(verdict.name == "file empty");
-    CHECK_THAT(flat(verdict.words), ContainsSubstring("newton.hpp is empty. ./course reset 1.1 writes it anew"));
-    CHECK_THAT(reset(learner.rooms, first), ContainsSubstring("is made anew"));
-    CHECK(learner.text(first) == whole);
-
-    std::filesystem::remove(learner.file(first));
-    CHECK_THAT(learner.check_one(first).words, ContainsSubstring("is missing. ./course start makes it anew"));
-
-    const Number last{1, 8};
-    learner.write(first, solved);
-    learner.solve(last);
-    learner.replace(last, "#include <nutshell/newton.hpp>\n", "");
-    verdict = learner.check_one(last);
-    INFO(verdict.words);
-    CHECK(verdict.outcome == Outcome::not_compiled);
-    CHECK_THAT(flat(verdict.words), ContainsSubstring("The line #include <nutshell/newton.hpp> is missing in answers/01_newton/nutshell/game_loop.hpp"));
-}
 
 TEST_CASE("An answer that misbehaves is stopped, and the judge says how it did") {
     const Learner learner("behaviour");
@@ -124,34 +12,44 @@ TEST_CASE("An answer that misbehaves is stopped, and the judge says how it did")
     };
     const std::string right = "    return (next_position - position) / dt;";
     for (const Case& each : {
-             Case{"    double t = 0;\n    while (t < 1) t *= 2;\n" + right, "endless loop", "It does not come to an end"},
+             Case{"    double t = 0;\n    while (t < 1) t *= 2;\n" + right, "endless loop",
+                  "It does not come to an end"},
              Case{"    int* nowhere = nullptr;\n    *nowhere = 1;\n" + right, "crash", "It crashed"},
-             Case{"    return Vector3(position[3], 0, 0);", "stopped by an assertion", "components are counted from 0"},
-             Case{"    throw std::runtime_error(\"I give up\");", "throws", "It throws an exception: I give up"},
+             Case{"    return Vector3(position[3], 0, 0);", "stopped by an assertion",
+                  "components are counted from 0"},
+             Case{"    throw std::runtime_error(\"I give up\");", "throws",
+                  "It throws an exception: I give up"},
              Case{"    std::exit(0);", "ends the program", "no exit() in an answer"},
-             Case{"    std::vector<std::vector<double>> all;\n    for (;;) all.emplace_back(1000000, 1.0);", "too much memory", "more memory than there is for it"},
+             Case{"    std::vector<std::vector<double>> all;\n    for (;;) all.emplace_back(1000000, 1.0);",
+                  "too much memory", "more memory than there is for it"},
              Case{"    for (;;) std::puts(\"still here\");", "prints without end", "It prints without end"},
-             Case{"    return (next_position - position) / dt * (0.0 / (dt - dt));", "wrong: NaN", "is NaN, which is no number, born at the input below"},
-             Case{"    return (next_position - position) / (dt - dt);", "wrong: infinite", "division by zero"},
-             Case{"    Vector3 velocity;\n    return velocity;", "wrong: NaN", "a vector that was never given a value"},
+             Case{"    return (next_position - position) / dt * (0.0 / (dt - dt));", "wrong: NaN",
+                  "is NaN, which is no number, born at the input below"},
+             Case{"    return (next_position - position) / (dt - dt);", "wrong: infinite",
+                  "division by zero"},
+             Case{"    Vector3 velocity;\n    return velocity;", "wrong: NaN",
+                  "a vector that was never given a value"},
          }) {
         const Verdict verdict = on_first(learner, each.body);
         INFO(each.body << "\n" << verdict.words);
         CHECK(verdict.outcome != Outcome::passed);
         CHECK(verdict.name == each.name);
         CHECK_THAT(flat(verdict.words), ContainsSubstring(each.words));
-        CHECK_THAT(flat(verdict.words), ContainsSubstring("next_position"));      // the input it happened on
+        CHECK_THAT(flat(verdict.words), ContainsSubstring("next_position"));  // the input it happened on
         is_plain(verdict);
     }
 }
 
 TEST_CASE("Prints disturb nothing and are quoted back, a few lines of them") {
     const Learner learner("prints");
-    const std::string print = "    for (int i = 0; i < 40; ++i) std::printf(\"out %d\\n\", i), std::fprintf(stderr, \"err %d\\n\", i);\n";
+    const std::string print =
+        "    for (int i = 0; i < 40; ++i) std::printf(\"out %d\\n\", i), std::fprintf(stderr, \"err %d\\n\", "
+        "i);\n";
     const Verdict wrong = on_first(learner, print + "    return (next_position - position) * dt;");
     INFO(wrong.words);
     CHECK(wrong.name == "wrong: multiplied by dt");
-    CHECK_THAT(wrong.words, ContainsSubstring("It printed on standard output:\n    | out 0\n    | out 1\n    | out 2\n    | out 3\n    | out 4\n    | ...\n"));
+    CHECK_THAT(wrong.words, ContainsSubstring("It printed on standard output:\n    | out 0\n    | out 1\n    "
+                                              "| out 2\n    | out 3\n    | out 4\n    | ...\n"));
     CHECK_THAT(wrong.words, ContainsSubstring("It printed on standard error:\n    | err 0\n"));
     CHECK_FALSE(contains(wrong.words, "out 5"));
     const Verdict right = on_first(learner, print + "    return (next_position - position) / dt;");
@@ -166,19 +64,44 @@ TEST_CASE("What is no known mistake is told by its signature") {
     };
     // one body for each exercise: they are compiled together
     const std::vector<Case> cases{
-        {{1, 1}, "    return (next_position - position) / dt * 180 / pi;", "wrong: wrong unit", "degrees stand where radians belong"},
-        {{1, 2}, "    return (before - 2 * here + after) / (dt * dt * dt);", "wrong: a wrong power of dt", "divided by once too often"},
-        {{1, 3}, "    const auto push = forces(state, t);\n    drift(state, dt);\n    kick(state, -push, dt);\n    return state;", "wrong: wrong sign",
+        {{1, 1},
+         "    return (next_position - position) / dt * 180 / pi;",
+         "wrong: wrong unit",
+         "degrees stand where radians belong"},
+        {{1, 2},
+         "    return (before - 2 * here + after) / (dt * dt * dt);",
+         "wrong: a wrong power of dt",
+         "divided by once too often"},
+        {{1, 3},
+         "    const auto push = forces(state, t);\n    drift(state, dt);\n    kick(state, -push, dt);\n    "
+         "return state;",
+         "wrong: wrong sign",
          "The change of the velocity comes out with the wrong sign"},
-        {{1, 4}, "    drift(state, dt / 2);\n    kick(state, forces(state, t), dt);\n    drift(state, dt / 2);\n    return state;", "wrong: another scheme", "not the one asked for"},
-        {{1, 5}, "    kick(state, forces(state, t), dt / 3);\n    drift(state, dt);\n    kick(state, forces(state, t + dt), 2 * dt / 3);\n    return state;",
-         "wrong: wrong order", "where this method has dt^2"},
-        {{1, 6}, "    if (method == Method::verlet) return Vector3::Zero();\n    return (method == Method::euler ? -3 : 3) * acceleration * duration * dt / 2;",
-         "wrong: wrong factor", "3 times what it should be"},
-        {{1, 7}, "    return acceleration.norm() > 0 ? duration / std::ceil(acceleration.squaredNorm() * duration * duration / (2 * tolerance)) : duration;",
-         "wrong: wrong formula", "inputs: what is special about the one below?"},
-        {{1, 8}, "    clock.owed += frame_time;\n    const int due = static_cast<int>(clock.owed / clock.step);\n    clock.owed -= due * clock.step;\n    return due > 3 ? 3 : due;",
-         "wrong: wrong formula", "It is right for"},
+        {{1, 4},
+         "    drift(state, dt / 2);\n    kick(state, forces(state, t), dt);\n    drift(state, dt / 2);\n    "
+         "return state;",
+         "wrong: another scheme",
+         "not the one asked for"},
+        {{1, 5},
+         "    kick(state, forces(state, t), dt / 3);\n    drift(state, dt);\n    kick(state, forces(state, t "
+         "+ dt), 2 * dt / 3);\n    return state;",
+         "wrong: wrong order",
+         "where this method has dt^2"},
+        {{1, 6},
+         "    if (method == Method::verlet) return Vector3::Zero();\n    return (method == Method::euler ? "
+         "-3 : 3) * acceleration * duration * dt / 2;",
+         "wrong: wrong factor",
+         "3 times what it should be"},
+        {{1, 7},
+         "    return acceleration.norm() > 0 ? duration / std::ceil(acceleration.squaredNorm() * duration * "
+         "duration / (2 * tolerance)) : duration;",
+         "wrong: wrong formula",
+         "inputs: what is special about the one below?"},
+        {{1, 8},
+         "    clock.owed += frame_time;\n    const int due = static_cast<int>(clock.owed / clock.step);\n    "
+         "clock.owed -= due * clock.step;\n    return due > 3 ? 3 : due;",
+         "wrong: wrong formula",
+         "It is right for"},
     };
     for (const Case& each : cases) learner.answer(each.number, each.body);
     const auto verdicts = learner.check_chapter(1);
@@ -190,15 +113,22 @@ TEST_CASE("What is no known mistake is told by its signature") {
     }
 }
 
-TEST_CASE("A slip that only some forces show is not called a right method; a wrong sum is looked at where it is first wrong") {
+TEST_CASE(
+    "A slip that only some forces show is not called a right method; a wrong sum is looked at where it is "
+    "first wrong") {
     const Learner learner("more signatures");
-    learner.answer({1, 5}, "    kick(state, forces(state, t), dt / 2);\n    drift(state, dt);\n    kick(state, forces(state, t + dt / 2), dt / 2);\n    return state;");
+    learner.answer({1, 5},
+                   "    kick(state, forces(state, t), dt / 2);\n    drift(state, dt);\n    kick(state, "
+                   "forces(state, t + dt / 2), dt / 2);\n    return state;");
     learner.answer({1, 7}, "    return 3 * tolerance / (acceleration.norm() * duration);");
     const auto verdicts = learner.check_chapter(1);
     CHECK(verdicts[4].name == "wrong: wrong order");
-    CHECK_THAT(flat(verdicts[4].words), ContainsSubstring("goes like dt^2; for a method of order 2 it must be dt^3"));
+    CHECK_THAT(flat(verdicts[4].words),
+               ContainsSubstring("goes like dt^2; for a method of order 2 it must be dt^3"));
     CHECK(verdicts[6].name == "wrong: wrong formula");
-    CHECK_THAT(flat(verdicts[6].words), ContainsSubstring("Later on: The step is infinite, for tolerance 0.1, acceleration (0, 0, 0)"));
+    CHECK_THAT(
+        flat(verdicts[6].words),
+        ContainsSubstring("Later on: The step is infinite, for tolerance 0.1, acceleration (0, 0, 0)"));
     CHECK_THAT(flat(verdicts[6].words), ContainsSubstring("Seen with tolerance 0.6,"));
 }
 
@@ -207,13 +137,25 @@ TEST_CASE("A solution changed in the ninth digit fails; the same function writte
     for (const auto& [number, body] : std::vector<std::pair<Number, std::string>>{
              {{1, 1}, "    return (next_position - position) / (dt * (1 + 4e-9));"},
              {{1, 2}, "    return (before - (2 + 4e-9) * here + after) / (dt * dt);"},
-             {{1, 3}, "    const auto push = forces(state, t + 1e-7 * dt);\n    drift(state, dt);\n    kick(state, push, dt);\n    return state;"},
-             {{1, 4}, "    kick(state, forces(state, t), dt);\n    drift(state, (1 + 1e-8) * dt);\n    return state;"},
-             {{1, 5}, "    kick(state, forces(state, t), dt / 2);\n    drift(state, dt);\n    kick(state, forces(state, t + dt), (0.5 + 1e-8) * dt);\n    return state;"},
-             {{1, 6}, "    const Vector3 lag = acceleration * duration * dt / 2;\n    return method == Method::euler ? Vector3(-lag) : method == Method::verlet ? Vector3(4e-9 * lag) : lag;"},
-             {{1, 7}, "    const double largest = 2 * tolerance / (acceleration.norm() * duration);\n    return duration / std::max(1.0, std::ceil(duration / largest)) * (1 + 4e-9);"},
-             {{1, 8}, "    clock.owed += frame_time;\n    const double due = std::floor(clock.owed / clock.step);\n    clock.owed -= due * clock.step * (1 + 4e-9);\n"
-                      "    return static_cast<int>(std::min(due, 1.0 * clock.most_steps));"}})
+             {{1, 3},
+              "    const auto push = forces(state, t + 1e-7 * dt);\n    drift(state, dt);\n    kick(state, "
+              "push, dt);\n    return state;"},
+             {{1, 4},
+              "    kick(state, forces(state, t), dt);\n    drift(state, (1 + 1e-8) * dt);\n    return "
+              "state;"},
+             {{1, 5},
+              "    kick(state, forces(state, t), dt / 2);\n    drift(state, dt);\n    kick(state, "
+              "forces(state, t + dt), (0.5 + 1e-8) * dt);\n    return state;"},
+             {{1, 6},
+              "    const Vector3 lag = acceleration * duration * dt / 2;\n    return method == Method::euler "
+              "? Vector3(-lag) : method == Method::verlet ? Vector3(4e-9 * lag) : lag;"},
+             {{1, 7},
+              "    const double largest = 2 * tolerance / (acceleration.norm() * duration);\n    return "
+              "duration / std::max(1.0, std::ceil(duration / largest)) * (1 + 4e-9);"},
+             {{1, 8},
+              "    clock.owed += frame_time;\n    const double due = std::floor(clock.owed / clock.step);\n  "
+              "  clock.owed -= due * clock.step * (1 + 4e-9);\n"
+              "    return static_cast<int>(std::min(due, 1.0 * clock.most_steps));"}})
         learner.answer(number, body);
     for (const Verdict& verdict : learner.check_chapter(1)) {
         INFO(verdict.number.text() << " " << verdict.name);
@@ -221,16 +163,32 @@ TEST_CASE("A solution changed in the ninth digit fails; the same function writte
     }
     for (const auto& [number, body] : std::vector<std::pair<Number, std::string>>{
              {{1, 1}, "    return next_position / dt - position / dt;"},
-             {{1, 2}, "    const Vector3 first = velocity_between(before, here, dt);\n    const Vector3 second = velocity_between(here, after, dt);\n    return second / dt - first / dt;"},
-             {{1, 3}, "    State next = state;\n    kick(next, forces(state, t), dt);\n    drift(state, dt);\n    next.position = state.position;\n    return next;"},
-             {{1, 4}, "    const Vector3 push = forces(state, t);\n    kick(state, push, 0.5 * dt);\n    kick(state, 0.5 * push, dt);\n    drift(state, dt);\n    return state;"},
-             {{1, 5}, "    const double half = 0.5 * dt;\n    const auto before = forces(state, t);\n    kick(state, before, half);\n    drift(state, half);\n    drift(state, half);\n"
-                      "    const auto after = forces(state, half + t + half);\n    kick(state, after, half);\n    return state;"},
-             {{1, 6}, "    switch (method) {\n        case Method::euler: return -0.5 * dt * duration * acceleration;\n        case Method::semi_implicit_euler: return 0.5 * dt * duration * acceleration;\n"
-                      "        default: return {0, 0, 0};\n    }"},
-             {{1, 7}, "    const double steps = std::ceil(acceleration.norm() * duration * duration / 2 / tolerance);\n    return steps < 1 ? duration : duration / steps;"},
-             {{1, 8}, "    const double all = clock.owed + frame_time;\n    int steps = 0;\n    double left = all;\n    while (left >= clock.step) left -= clock.step, ++steps;\n"
-                      "    clock.owed = left;\n    return steps < clock.most_steps ? steps : clock.most_steps;"}})
+             {{1, 2},
+              "    const Vector3 first = velocity_between(before, here, dt);\n    const Vector3 second = "
+              "velocity_between(here, after, dt);\n    return second / dt - first / dt;"},
+             {{1, 3},
+              "    State next = state;\n    kick(next, forces(state, t), dt);\n    drift(state, dt);\n    "
+              "next.position = state.position;\n    return next;"},
+             {{1, 4},
+              "    const Vector3 push = forces(state, t);\n    kick(state, push, 0.5 * dt);\n    kick(state, "
+              "0.5 * push, dt);\n    drift(state, dt);\n    return state;"},
+             {{1, 5},
+              "    const double half = 0.5 * dt;\n    const auto before = forces(state, t);\n    kick(state, "
+              "before, half);\n    drift(state, half);\n    drift(state, half);\n"
+              "    const auto after = forces(state, half + t + half);\n    kick(state, after, half);\n    "
+              "return state;"},
+             {{1, 6},
+              "    switch (method) {\n        case Method::euler: return -0.5 * dt * duration * "
+              "acceleration;\n        case Method::semi_implicit_euler: return 0.5 * dt * duration * "
+              "acceleration;\n"
+              "        default: return {0, 0, 0};\n    }"},
+             {{1, 7},
+              "    const double steps = std::ceil(acceleration.norm() * duration * duration / 2 / "
+              "tolerance);\n    return steps < 1 ? duration : duration / steps;"},
+             {{1, 8},
+              "    const double all = clock.owed + frame_time;\n    int steps = 0;\n    double left = all;\n "
+              "   while (left >= clock.step) left -= clock.step, ++steps;\n"
+              "    clock.owed = left;\n    return steps < clock.most_steps ? steps : clock.most_steps;"}})
         learner.answer(number, body);
     for (const Verdict& verdict : learner.check_chapter(1)) {
         INFO(verdict.number.text() << " " << verdict.name << "\n" << verdict.words);
@@ -245,13 +203,34 @@ TEST_CASE("Known mistakes, written as a learner writes them, are called by name"
         std::string body, name, words;
     };
     const std::vector<Case> cases{
-        {{1, 1}, "    return position / dt - next_position / dt;", "wrong: backwards in time", "Everything flies backwards"},
-        {{1, 3}, "    kick(state, forces(state, t), dt);\n    drift(state, dt);\n    return state;", "wrong: kicks before it drifts", "exercise 1.4"},
-        {{1, 4}, "    const auto f = forces(state, t);\n    drift(state, dt);\n    kick(state, f, dt);\n    return state;", "wrong: drifts with the old velocity", "spirals out"},
-        {{1, 5}, "    const auto f = forces(state, t);\n    kick(state, f, dt / 2);\n    drift(state, dt);\n    kick(state, f, dt / 2);\n    return state;", "wrong: a stale force", "ask for the force there"},
+        {{1, 1},
+         "    return position / dt - next_position / dt;",
+         "wrong: backwards in time",
+         "Everything flies backwards"},
+        {{1, 3},
+         "    kick(state, forces(state, t), dt);\n    drift(state, dt);\n    return state;",
+         "wrong: kicks before it drifts",
+         "exercise 1.4"},
+        {{1, 4},
+         "    const auto f = forces(state, t);\n    drift(state, dt);\n    kick(state, f, dt);\n    return "
+         "state;",
+         "wrong: drifts with the old velocity",
+         "spirals out"},
+        {{1, 5},
+         "    const auto f = forces(state, t);\n    kick(state, f, dt / 2);\n    drift(state, dt);\n    "
+         "kick(state, f, dt / 2);\n    return state;",
+         "wrong: a stale force",
+         "ask for the force there"},
         {{1, 6}, "    return Vector3::Zero();", "wrong: no error at all", "as the source's remark suggests"},
-        {{1, 7}, "    return std::min(duration, std::sqrt(2 * tolerance / acceleration.norm()));", "wrong: wrong formula", ""},
-        {{1, 8}, "    const int steps = static_cast<int>((clock.owed + frame_time) / clock.step);\n    clock.owed = 0;\n    return std::min(steps, clock.most_steps);", "wrong: the rest forgotten", "clock.owed"},
+        {{1, 7},
+         "    return std::min(duration, std::sqrt(2 * tolerance / acceleration.norm()));",
+         "wrong: wrong formula",
+         ""},
+        {{1, 8},
+         "    const int steps = static_cast<int>((clock.owed + frame_time) / clock.step);\n    clock.owed = "
+         "0;\n    return std::min(steps, clock.most_steps);",
+         "wrong: the rest forgotten",
+         "clock.owed"},
     };
     for (const Case& each : cases) learner.answer(each.number, each.body);
     const auto verdicts = learner.check_chapter(1);
@@ -276,7 +255,8 @@ TEST_CASE("An exercise that builds on another one is blocked by it, not wrong") 
     verdict = learner.check_one(second);
     CHECK(verdict.name == "blocked by 1.1");
     CHECK_THAT(flat(verdict.words), ContainsSubstring("multiplied by dt"));
-    learner.answer(second, "    // velocity_between is of no help here\n    return (before - 2 * here + after) / dt;");
+    learner.answer(
+        second, "    // velocity_between is of no help here\n    return (before - 2 * here + after) / dt;");
     CHECK(learner.check_one(second).outcome == Outcome::wrong);
     learner.solve(first);
     learner.solve(second);
@@ -285,13 +265,17 @@ TEST_CASE("An exercise that builds on another one is blocked by it, not wrong") 
 
 TEST_CASE("A step written for a PointMass passes, with a word on what it cannot do") {
     const Learner learner("point mass");
-    learner.answer({1, 3}, "    const Vector3 a = forces(state, t) / state.mass;\n    state.position += state.velocity * dt;\n    state.velocity += a * dt;\n    return state;");
+    learner.answer({1, 3},
+                   "    const Vector3 a = forces(state, t) / state.mass;\n    state.position += "
+                   "state.velocity * dt;\n    state.velocity += a * dt;\n    return state;");
     const Verdict verdict = learner.check_one({1, 3});
     INFO(verdict.words);
     CHECK(verdict.outcome == Outcome::passed);
     REQUIRE(verdict.notes.size() == 1);
     CHECK_THAT(verdict.notes.front(), ContainsSubstring("Said with drift and kick"));
-    learner.answer({1, 3}, "    state.velocity += forces(state, t) / state.mass * dt;\n    state.position += state.velocity * dt;\n    return state;");
+    learner.answer({1, 3},
+                   "    state.velocity += forces(state, t) / state.mass * dt;\n    state.position += "
+                   "state.velocity * dt;\n    return state;");
     CHECK_THAT(learner.check_one({1, 3}).name, ContainsSubstring("kicks before it drifts"));
 }
 

@@ -32,7 +32,8 @@ fs::path own_path(const Rooms& rooms, const Chapter& chapter, const Chapter::Hea
     return rooms.answers / chapter.folder / header.path;
 }
 
-std::optional<std::string> own_text(const Rooms& rooms, const Chapter& chapter, const Chapter::Header& header) {
+std::optional<std::string> own_text(const Rooms& rooms, const Chapter& chapter,
+                                    const Chapter::Header& header) {
     const fs::path file = own_path(rooms, chapter, header);
     if (!fs::exists(file)) return std::nullopt;
     return read_text(file);
@@ -48,7 +49,8 @@ Chapter chapter_of(const Rooms& rooms, Number number) {
     for (const Chapter& chapter : chapters_of(rooms)) {
         for (const Number other : chapter.exercises)
             if (other == number) return chapter;
-        there += (there.empty() ? "" : ", ") + chapter.exercises.front().text() + " to " + chapter.exercises.back().text();
+        there += (there.empty() ? "" : ", ") + chapter.exercises.front().text() + " to " +
+                 chapter.exercises.back().text();
     }
     throw std::runtime_error("there is no exercise " + number.text() + "; there are: " + there);
 }
@@ -70,7 +72,9 @@ std::string start(const Rooms& rooms) {
             }
         }
     }
-    if (kept) said << (kept == 1 ? "one file is" : std::to_string(kept) + " files are") << " yours already and left as " << (kept == 1 ? "it is" : "they are") << '\n';
+    if (kept)
+        said << (kept == 1 ? "one file is" : std::to_string(kept) + " files are")
+             << " yours already and left as " << (kept == 1 ? "it is" : "they are") << '\n';
     if (made == 0) {
         said << "Nothing to do. Where you are: ./course check\n";
         return said.str();
@@ -80,7 +84,8 @@ std::string start(const Rooms& rooms) {
     said << '\n'
          << exercises << " exercises wait for you. For the first one, open\n"
          << "  " << named(rooms, own_path(rooms, first, first.header_of(one))) << '\n'
-         << "and look for `// exercise " << one.text() << "`. Put your answer in place of the line " << unanswered(one) << '\n'
+         << "and look for `// exercise " << one.text() << "`. Put your answer in place of the line "
+         << unanswered(one) << '\n'
          << "and leave the two marks round it as they are. Then\n"
          << "  ./course check " << one.text() << "      is it right?\n"
          << "  ./course hint " << one.text() << "       three of them, one at a time\n"
@@ -100,7 +105,8 @@ std::string hint(const Rooms& rooms, Number number) {
     };
     if (entry.hints >= 3) {
         for (int which = 0; which < 3; ++which) say(which);
-        said << "There are no more. The solution: ./course solution " << number.text() << (entry.passed ? "\n" : " --give-up\n");
+        said << "There are no more. The solution: ./course solution " << number.text()
+             << (entry.passed ? "\n" : " --give-up\n");
         return said.str();
     }
     say(entry.hints++);
@@ -112,14 +118,18 @@ std::string hint(const Rooms& rooms, Number number) {
 std::string solution(const Rooms& rooms, Number number, bool give_up) {
     const Chapter chapter = chapter_of(rooms, number);
     if (!give_up && !Progress::read(rooms).entries[number].passed)
-        throw std::runtime_error("exercise " + number.text() + " has not passed yet: ./course check " + number.text() + ", or ./course hint " +
-                                 number.text() + "; to see the solution all the same: ./course solution " + number.text() + " --give-up");
+        throw std::runtime_error("exercise " + number.text() + " has not passed yet: ./course check " +
+                                 number.text() + ", or ./course hint " + number.text() +
+                                 "; to see the solution all the same: ./course solution " + number.text() +
+                                 " --give-up");
     const Chapter::Header& header = chapter.header_of(number);
     std::ostringstream said;
-    said << number.text() << ", " << exercise_of(number).title << ": one right answer, chapters/" << chapter.folder << '/' << header.path << '\n'
+    said << number.text() << ", " << exercise_of(number).title << ": one right answer, chapters/"
+         << chapter.folder << '/' << header.path << '\n'
          << '\n'
          << signature(header.reference, number) << " {\n";
-    for (const auto& line : lines_of(unindented(header.reference.body(number)->text))) said << "    " << line << '\n';
+    for (const auto& line : lines_of(unindented(header.reference.body(number)->text)))
+        said << "    " << line << '\n';
     said << "}\n";
     return said.str();
 }
@@ -129,7 +139,9 @@ namespace {
 /// A name in answers/saved/ that is not taken.
 fs::path free_name(const Rooms& rooms, const std::string& stem) {
     for (int i = 1;; ++i)
-        if (const fs::path file = rooms.answers / "saved" / (stem + "_" + std::to_string(i) + ".hpp"); !fs::exists(file)) return file;
+        if (const fs::path file = rooms.answers / "saved" / (stem + "_" + std::to_string(i) + ".hpp");
+            !fs::exists(file))
+            return file;
 }
 
 }  // namespace
@@ -145,21 +157,27 @@ std::string reset(const Rooms& rooms, Number number) {
     const Marked fresh_marks = marked(fresh);
     std::ostringstream said;
     if (const Body* body = own.body(number)) {
-        if (is_unanswered(*body)) return number.text() + " is as ./course start made it: nothing to put back.\n";
+        if (is_unanswered(*body))
+            return number.text() + " is as ./course start made it: nothing to put back.\n";
         const fs::path saved = free_name(rooms, number.text());
         write_text(saved, "// exercise " + number.text() + " of " + named(rooms, file) + "\n" + body->text);
         write_text(file, with_bodies(own, {{number, fresh_marks.body(number)->text}}));
-        said << number.text() << " is as it was at the start. Your old answer is in " << named(rooms, saved) << '\n';
+        said << number.text() << " is as it was at the start. Your old answer is in " << named(rooms, saved)
+             << '\n';
         return said.str();
     }
-    // without its marks the body cannot be told from the rest: a fresh file, with all other answers carried over
+    // without its marks the body cannot be told from the rest: a fresh file, with all other answers carried
+    // over
     const fs::path saved = free_name(rooms, fs::path(header.path).stem().string());
     write_text(saved, *text);
     std::map<Number, std::string> bodies;
     for (const Body& body : own.bodies) bodies[body.number] = body.text;
     write_text(file, with_bodies(fresh_marks, bodies));
-    said << folded("The marks of " + number.text() + " were not to be found, so " + named(rooms, file) + " is made anew, with your answers to the " +
-                       std::to_string(bodies.size()) + " other exercises whose marks were whole. Your old file is kept as " + named(rooms, saved), 0);
+    said << folded("The marks of " + number.text() + " were not to be found, so " + named(rooms, file) +
+                       " is made anew, with your answers to the " + std::to_string(bodies.size()) +
+                       " other exercises whose marks were whole. Your old file is kept as " +
+                       named(rooms, saved),
+                   0);
     return said.str();
 }
 

@@ -20,7 +20,8 @@ struct Progress {
 };
 
 /// A chapter's header as the learner has it; nothing if it is missing.
-std::optional<std::string> own_text(const Rooms& rooms, const Chapter& chapter, const Chapter::Header& header);
+std::optional<std::string> own_text(const Rooms& rooms, const Chapter& chapter,
+                                    const Chapter::Header& header);
 std::filesystem::path own_path(const Rooms& rooms, const Chapter& chapter, const Chapter::Header& header);
 /// "answers/01_newton/nutshell/newton.hpp", as a learner would say it.
 std::string named(const Rooms& rooms, const std::filesystem::path& file);
@@ -29,7 +30,8 @@ std::string named(const Rooms& rooms, const std::filesystem::path& file);
 std::string start(const Rooms& rooms);
 /// The next of three hints.
 std::string hint(const Rooms& rooms, Number number);
-/// The reference's lines. @throws std::runtime_error, with what to do, if it has not passed yet and `give_up` is false
+/// The reference's lines. @throws std::runtime_error, with what to do, if it has not passed yet and `give_up`
+/// is false
 std::string solution(const Rooms& rooms, Number number, bool give_up);
 /// Puts the skeleton's body back, after saving the old one in answers/saved/.
 std::string reset(const Rooms& rooms, Number number);

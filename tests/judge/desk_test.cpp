@@ -1,8 +1,8 @@
 // The learner's folder and the verbs, tried through the program itself.
-#include <csignal>
 #include <sys/wait.h>
 #include <unistd.h>
 #include <chrono>
+#include <csignal>
 #include <fstream>
 #include <thread>
 #include "../check.hpp"
@@ -14,7 +14,8 @@ namespace fs = std::filesystem;
 namespace {
 
 const Number first{1, 1};
-const std::string right = "    return (next_position - position) / dt;", wrong = "    return (next_position - position) * dt;";
+const std::string right = "    return (next_position - position) / dt;",
+                  wrong = "    return (next_position - position) * dt;";
 
 }  // namespace
 
@@ -24,7 +25,8 @@ TEST_CASE("start makes skeletons without a line of the solution, and overwrites 
     CHECK_THAT(text, ContainsSubstring("// exercise 1.1\n    throw Unanswered{\"1.1\"};\n    // end 1.1\n"));
     CHECK_THAT(text, ContainsSubstring("#include <nutshell/unanswered.hpp>\n"));
     CHECK_FALSE(contains(text, "(next_position - position)"));
-    CHECK_THAT(text, ContainsSubstring("inline void drift(PointMass& body, double dt) {"));      // what is no exercise stays
+    CHECK_THAT(text, ContainsSubstring(
+                         "inline void drift(PointMass& body, double dt) {"));  // what is no exercise stays
     learner.answer(first, right);
     const std::string mine = learner.text(first);
     fs::remove(learner.file({1, 8}));
@@ -41,7 +43,9 @@ TEST_CASE("check: the first thing to do, then verdicts, then progress that stays
     Ran ran = learner.judge({"check", "1"});
     CHECK(ran.exit_code == 1);
     CHECK_THAT(ran.out, ContainsSubstring("1.8   How many steps a frame owes             not answered yet"));
-    CHECK_THAT(ran.out, ContainsSubstring("Next: 1.1 Velocity from two positions, in\n  answers/01_newton/nutshell/newton.hpp:"));
+    CHECK_THAT(ran.out,
+               ContainsSubstring(
+                   "Next: 1.1 Velocity from two positions, in\n  answers/01_newton/nutshell/newton.hpp:"));
     learner.answer(first, wrong);
     ran = learner.judge({"check", "1.1"});
     CHECK(ran.exit_code == 1);
@@ -56,7 +60,7 @@ TEST_CASE("check: the first thing to do, then verdicts, then progress that stays
     CHECK(Progress::read(learner.rooms).entries[first].passed);
     learner.answer(first, wrong);
     CHECK(learner.judge({"check", "1.1"}).exit_code == 1);
-    CHECK(Progress::read(learner.rooms).entries[first].passed);     // it did pass once
+    CHECK(Progress::read(learner.rooms).entries[first].passed);  // it did pass once
 }
 
 TEST_CASE("An edit while nothing else changes is seen, and without an edit nothing is compiled") {
@@ -72,7 +76,7 @@ TEST_CASE("An edit while nothing else changes is seen, and without an edit nothi
     CHECK_FALSE(sheets.compile({first}).compiled);
     learner.answer(first, "    return nothing;");
     CHECK(sheets.compile({first}).problem);
-    CHECK(sheets.compile({first}).problem);       // an error is not taken for a product
+    CHECK(sheets.compile({first}).problem);  // an error is not taken for a product
 }
 
 TEST_CASE("hint gives three, one at a time; solution waits for a pass or for giving up") {
@@ -84,17 +88,21 @@ TEST_CASE("hint gives three, one at a time; solution waits for a pass or for giv
         CHECK_THAT(replaced(ran.out, "\n ", ""), ContainsSubstring(hints[i].substr(0, 40)));
         if (i < 2) CHECK_FALSE(contains(ran.out, hints[i + 1].substr(0, 30)));
     }
-    CHECK_THAT(learner.judge({"hint", "1.1"}).out, ContainsSubstring("There are no more. The solution: ./course solution 1.1 --give-up"));
+    CHECK_THAT(learner.judge({"hint", "1.1"}).out,
+               ContainsSubstring("There are no more. The solution: ./course solution 1.1 --give-up"));
     Ran ran = learner.judge({"solution", "1.1"});
     CHECK(ran.exit_code == 1);
     CHECK_THAT(ran.err, ContainsSubstring("has not passed yet"));
     CHECK_THAT(ran.err, ContainsSubstring("--give-up"));
-    CHECK_THAT(learner.judge({"solution", "1.1", "--give-up"}).out, ContainsSubstring("return (next_position - position) / dt;"));
+    CHECK_THAT(learner.judge({"solution", "1.1", "--give-up"}).out,
+               ContainsSubstring("return (next_position - position) / dt;"));
     learner.answer(first, "    return next_position / dt - position / dt;");
     CHECK(learner.judge({"check", "1.1"}).exit_code == 0);
     ran = learner.judge({"solution", "1.1"});
     CHECK(ran.exit_code == 0);
-    CHECK_THAT(ran.out, ContainsSubstring("Vector3 velocity_between(const Vector3& position, const Vector3& next_position, double dt) {\n    return (next_position - position) / dt;\n}"));
+    CHECK_THAT(ran.out, ContainsSubstring(
+                            "Vector3 velocity_between(const Vector3& position, const Vector3& next_position, "
+                            "double dt) {\n    return (next_position - position) / dt;\n}"));
 }
 
 TEST_CASE("reset puts one body back, keeps the rest, and saves what was there under a new name each time") {
@@ -109,7 +117,8 @@ TEST_CASE("reset puts one body back, keeps the rest, and saves what was there un
         CHECK(ran.exit_code == 0);
         CHECK_THAT(ran.out, ContainsSubstring("Your old answer is in answers/saved/1.1_" + which + ".hpp"));
         CHECK(learner.text(first) == with_second);
-        CHECK_THAT(read_text(learner.rooms.answers / ("saved/1.1_" + which + ".hpp")), ContainsSubstring("// attempt " + which + "\n" + wrong));
+        CHECK_THAT(read_text(learner.rooms.answers / ("saved/1.1_" + which + ".hpp")),
+                   ContainsSubstring("// attempt " + which + "\n" + wrong));
     }
     // with its marks gone, the whole file is saved and made anew, and the other answers are carried over
     learner.replace(first, "    // end 1.1\n", "    // a note of mine\n");
@@ -121,17 +130,28 @@ TEST_CASE("reset puts one body back, keeps the rest, and saves what was there un
 
 TEST_CASE("Every verb answers bad arguments with one line and a code") {
     const Learner learner("usage");
-    for (const auto& words : std::vector<std::vector<std::string>>{{"check", "9.9"}, {"check", "newton"}, {"hint"}, {"hint", "one"}, {"reset", "1"}, {"run", "1.1", "--mine"}, {"run", "7", "--mine"}, {"check", "1", "2"}, {"check", "--loud"}, {"check", "--junit"}}) {
+    for (const auto& words : std::vector<std::vector<std::string>>{{"check", "9.9"},
+                                                                   {"check", "newton"},
+                                                                   {"hint"},
+                                                                   {"hint", "one"},
+                                                                   {"reset", "1"},
+                                                                   {"run", "1.1", "--mine"},
+                                                                   {"run", "7", "--mine"},
+                                                                   {"check", "1", "2"},
+                                                                   {"check", "--loud"},
+                                                                   {"check", "--junit"}}) {
         const Ran ran = learner.judge(words);
         INFO(joined(words, " ") << ": " << ran.err);
-        if (words.back() == "--junit") continue;      // the next word is taken for its name
+        if (words.back() == "--junit") continue;  // the next word is taken for its name
         CHECK(ran.exit_code == 2);
         CHECK(lines_of(ran.err).size() == 1);
         CHECK_THAT(ran.err, ContainsSubstring("course: "));
     }
-    for (const auto& verb : {"hint", "reset", "solution"}) CHECK(learner.judge({verb, "1.99"}).exit_code == 1);
+    for (const auto& verb : {"hint", "reset", "solution"})
+        CHECK(learner.judge({verb, "1.99"}).exit_code == 1);
     fs::remove_all(learner.rooms.answers);
-    for (const auto& words : std::vector<std::vector<std::string>>{{"check"}, {"hint", "1.1"}, {"reset", "1.1"}, {"watch"}}) {
+    for (const auto& words :
+         std::vector<std::vector<std::string>>{{"check"}, {"hint", "1.1"}, {"reset", "1.1"}, {"watch"}}) {
         const Ran ran = learner.judge(words);
         CHECK(ran.exit_code == 1);
         CHECK_THAT(ran.err, ContainsSubstring("./course start"));
@@ -162,7 +182,8 @@ TEST_CASE("--junit judges the others when one answer does not compile") {
     CHECK_THAT(text, ContainsSubstring("name=\"1.1 Velocity from two positions\"/>"));
     CHECK_THAT(text, ContainsSubstring("<failure message=\"does not compile\">"));
     CHECK_THAT(text, ContainsSubstring("<failure message=\"wrong: no error at all\">"));
-    CHECK_THAT(learner.judge({"check", "1"}).out, ContainsSubstring("not judged: 1.2 does not compile"));     // the learner mends it first
+    CHECK_THAT(learner.judge({"check", "1"}).out,
+               ContainsSubstring("not judged: 1.2 does not compile"));  // the learner mends it first
 }
 
 TEST_CASE("watch checks again on every save") {
@@ -171,8 +192,10 @@ TEST_CASE("watch checks again on every save") {
     const pid_t child = fork();
     if (child == 0) {
         std::freopen(said.c_str(), "w", stdout);
-        const std::string judge = std::string(CONFIG_BIN) + "/judge", answers = learner.rooms.answers, work = learner.rooms.work;
-        execl(judge.c_str(), "judge", "watch", "1.1", "--answers", answers.c_str(), "--work", work.c_str(), nullptr);
+        const std::string judge = std::string(CONFIG_BIN) + "/judge", answers = learner.rooms.answers,
+                          work = learner.rooms.work;
+        execl(judge.c_str(), "judge", "watch", "1.1", "--answers", answers.c_str(), "--work", work.c_str(),
+              nullptr);
         _exit(127);
     }
     const auto waits_for = [&](const std::string& words) {

@@ -3,17 +3,18 @@
 #include <optional>
 #include <string>
 #include <vector>
-#include "exercise.hpp"
+#include "record.hpp"
 
 namespace nutshell::judge {
 
-/// An answer passes when every output is within this of the reference, relative to the largest term that enters it.
+/// An answer passes when every output is within this of the reference, relative to the largest term that
+/// enters it.
 inline constexpr double tolerance = 1e-9;
 /// Mistakes of one exercise must differ by this from the truth and from each other.
 inline constexpr double telling = 1e-4;
 
-/// The largest difference of two records, relative to the scales of `reference`; infinite if one is not finite where
-/// the other is, or if they have not the same outputs.
+/// The largest difference of two records, relative to the scales of `reference`; infinite if one is not
+/// finite where the other is, or if they have not the same outputs.
 double difference(const exercises::Record& reference, const exercises::Record& a, const exercises::Record& b);
 /// `reference` with its values replaced by those of an answer, as far as these go.
 exercises::Record with_values(exercises::Record reference, const std::vector<std::vector<double>>& values);

@@ -1,11 +1,11 @@
 // What the sheet always needs, compiled once: most of a sheet's compile time is here.
-#include <nutshell/require.hpp>
-#include <nutshell/unanswered.hpp>
-#include <nutshell/vector.hpp>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <nutshell/require.hpp>
+#include <nutshell/unanswered.hpp>
+#include <nutshell/vector.hpp>
 #include <optional>
 #include <stdexcept>
 #include <string>

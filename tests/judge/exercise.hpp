@@ -1,24 +1,22 @@
 // What an exercise is made of. HOWTO.md beside this file says how to write one.
 //
-// A file of an exercise is compiled twice. In the sheet (NUTSHELL_SHEET defined) it sees the learner's header and holds
-// the questions only: Paper writes raw numbers to a pipe. In the judge it sees the reference's header, and its words,
-// mistakes and alternatives too: Paper keeps every number with its name, its input and its scale.
+// A file of an exercise is compiled twice. In the sheet (NUTSHELL_SHEET defined) it sees the learner's header
+// and holds the questions only: Paper writes raw numbers to a pipe. In the judge it sees the reference's
+// header, and its words, mistakes and alternatives too: Paper keeps every number with its name, its input and
+// its scale.
 #pragma once
+#include <algorithm>
+#include <cmath>
 #include <nutshell/unanswered.hpp>
 #include <nutshell/vector.hpp>
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <utility>
 #include <vector>
 #ifndef NUTSHELL_SHEET
-#include <functional>
-#include <string>
+#include "record.hpp"
 #endif
 
 /// A function, template or not, as a value that can be handed to ask().
-#define NUTSHELL_CALL(function) \
-    [](auto&&... in) { return function(std::forward<decltype(in)>(in)...); }
+#define NUTSHELL_CALL(function) [](auto&&... in) { return function(std::forward<decltype(in)>(in)...); }
 
 namespace nutshell::exercises {
 
@@ -30,7 +28,8 @@ template <class Derived>
 void append(std::vector<double>& all, const Eigen::DenseBase<Derived>& value) {
     const auto matrix = value.derived().eval();
     for (Eigen::Index column = 0; column < matrix.cols(); ++column)
-        for (Eigen::Index row = 0; row < matrix.rows(); ++row) all.push_back(static_cast<double>(matrix(row, column)));
+        for (Eigen::Index row = 0; row < matrix.rows(); ++row)
+            all.push_back(static_cast<double>(matrix(row, column)));
 }
 inline void append(std::vector<double>& all, const Quaternion& value) {
     append(all, value.coeffs());
@@ -48,22 +47,6 @@ std::vector<double> numbers(const Values&... values) {
 
 #ifdef NUTSHELL_SHEET
 void send(const std::vector<double>& values);  // to the judge; in sheet.cpp
-#else
-/// One compared value of an answer.
-struct Output {
-    std::string name;
-    std::size_t input;           ///< which input it belongs to
-    int level;                   ///< 0, 1, 2: made with steps of h, h/2, h/4
-    std::vector<double> values;
-    double scale;                ///< the largest term that enters it: it must be right to 1e-9 of this
-    std::vector<double> start;   ///< the first term, if it is of the value's size: what the value starts from
-    std::vector<double> exact;   ///< what it tends to when the step goes to zero; empty if that was not said
-};
-/// All that an answer gave for the questions of an exercise.
-struct Record {
-    std::vector<std::string> inputs;
-    std::vector<Output> outputs;
-};
 #endif
 
 /// Where the questions of an exercise put what they ask and what they get.
@@ -78,8 +61,9 @@ class Paper {
 #endif
     }
 
-    /// One value to compare. It must agree to 1e-9 of the largest number among `terms`: name each term that enters it,
-    /// first the one the value starts from (the judge then tells a wrong change from a wrong start).
+    /// One value to compare. It must agree to 1e-9 of the largest number among `terms`: name each term that
+    /// enters it, first the one the value starts from (the judge then tells a wrong change from a wrong
+    /// start).
     template <class Value, class Term, class... Terms>
     void output([[maybe_unused]] const char* name, const Value& value, [[maybe_unused]] const Term& term,
                 [[maybe_unused]] const Terms&... terms) {
@@ -90,8 +74,8 @@ class Paper {
 #endif
     }
 
-    /// Like output(), for the end of a run over a fixed time with steps of step(): `exact` is what it converges to.
-    /// From runs at h, h/2 and h/4 the judge tells a wrong formula from a wrong scheme.
+    /// Like output(), for the end of a run over a fixed time with steps of step(): `exact` is what it
+    /// converges to. From runs at h, h/2 and h/4 the judge tells a wrong formula from a wrong scheme.
     template <class Value, class Exact, class Term, class... Terms>
     void run([[maybe_unused]] const char* name, const Value& value, [[maybe_unused]] const Exact& exact,
              [[maybe_unused]] const Term& term, [[maybe_unused]] const Terms&... terms) {
@@ -102,19 +86,31 @@ class Paper {
 #endif
     }
 
-    /// `h` in the first round of questions, then h/2, then h/4. An exercise that never calls it is asked once.
+    /// `h` in the first round of questions, then h/2, then h/4. An exercise that never calls it is asked
+    /// once.
     double step(double h) {
         stepped_ = true;
         return std::ldexp(h, -level_);
     }
-    bool stepped() const { return stepped_; }
-    void next_level() { ++level_; }
-    /// False when questions about states of other types are to be left out: the learner's step moves one type only.
-    bool other_states() const { return other_states_; }
-    void leave_out_other_states() { other_states_ = false; }
+    bool stepped() const {
+        return stepped_;
+    }
+    void next_level() {
+        ++level_;
+    }
+    /// False when questions about states of other types are to be left out: the learner's step moves one type
+    /// only.
+    bool other_states() const {
+        return other_states_;
+    }
+    void leave_out_other_states() {
+        other_states_ = false;
+    }
 
 #ifndef NUTSHELL_SHEET
-    const Record& record() const { return record_; }
+    const Record& record() const {
+        return record_;
+    }
 #endif
 
   private:
@@ -126,9 +122,14 @@ class Paper {
     void describe(double value);
     void describe(const std::vector<double>& values);
     template <class Derived>
-    void describe(const Eigen::DenseBase<Derived>& value) { describe(numbers(value)); }
-    void describe(const Quaternion& value) { describe(numbers(value)); }
-    void keep(const char* name, std::vector<double> values, const std::vector<double>& terms, std::vector<double> exact);
+    void describe(const Eigen::DenseBase<Derived>& value) {
+        describe(numbers(value));
+    }
+    void describe(const Quaternion& value) {
+        describe(numbers(value));
+    }
+    void keep(const char* name, std::vector<double> values, const std::vector<double>& terms,
+              std::vector<double> exact);
     Record record_;
     int described_ = 0;
 #endif
@@ -159,35 +160,7 @@ bool enter() {
 
 #else
 
-/// A right or wrong answer that is compiled into the judge.
-using Attempt = std::function<void(Paper&)>;
-
-struct Mistake {
-    std::string name;      ///< a few words, as the verdict calls it: "kicks before it drifts"
-    std::string origin;    ///< an erratum's id ("E04"), or where the slip is met: "classic", "game loops"
-    std::string symptom;   ///< what a player would see
-    std::string sentence;  ///< why it is wrong and where to look, in one or two sentences
-    Attempt attempt;
-};
-
-struct Alternative {
-    std::string name;
-    Attempt attempt;
-};
-
-/// What the judge knows of an exercise besides its questions.
-struct Exercise {
-    std::string id = {}, function = {};          ///< filled in by enter() and from Questions
-    std::string title = {};                 ///< a few words
-    std::array<std::string, 3> hints = {};  ///< from a nudge to nearly there; none holds a line of the solution
-    int order = 0;                     ///< the order of convergence of the right answer's runs; 0 if it has none
-    std::string picture = {};               ///< a file of out/NN_name/ that shows what matters here, or empty
-    std::vector<Mistake> mistakes = {};
-    std::vector<Alternative> alternatives = {};
-    Attempt reference = {};                 ///< filled in by enter()
-};
-
-bool enter(Exercise exercise);  // in exercises.cpp
+bool enter(Exercise exercise);  // in rooms.cpp
 
 template <class Questions, class Answer>
 Attempt attempt(Answer answer) {

@@ -1,4 +1,5 @@
 // The gates of every exercise of every chapter: what DESIGN asks of exercises, held for all of them at once.
+#include <algorithm>
 #include <regex>
 #include "../check.hpp"
 #include "diagnosis.hpp"
@@ -42,10 +43,12 @@ TEST_CASE("Marks that do not pair up are complained about") {
     CHECK(complaint(open + "return;\n" + close) == "none");
     CHECK_THAT(complaint(open + "return;\n"), ContainsSubstring("`// end 1.1` is gone"));
     CHECK_THAT(complaint("return;\n" + close), ContainsSubstring("`// exercise 1.1` is gone"));
-    CHECK_THAT(complaint(open + open + "return;\n" + close), ContainsSubstring("stands 2 times, in lines 1 and 2"));
+    CHECK_THAT(complaint(open + open + "return;\n" + close),
+               ContainsSubstring("stands 2 times, in lines 1 and 2"));
     CHECK_THAT(complaint(close + "return;\n" + open), ContainsSubstring("stands above"));
-    CHECK_THAT(complaint(open + "// exercise 1.2\n// end 1.2\n" + close), ContainsSubstring("stands inside the body of 1.1"));
-    CHECK(chapters_of(rooms).size() >= 1);     // which throws if the reference's own marks do not pair up
+    CHECK_THAT(complaint(open + "// exercise 1.2\n// end 1.2\n" + close),
+               ContainsSubstring("stands inside the body of 1.1"));
+    CHECK(chapters_of(rooms).size() >= 1);  // which throws if the reference's own marks do not pair up
 }
 
 TEST_CASE("Exercises can be stripped: explicit return types, whole statements, and a signature that stays") {
@@ -54,9 +57,11 @@ TEST_CASE("Exercises can be stripped: explicit return types, whole statements, a
             const Marked& reference = chapter.header_of(number).reference;
             const std::string head = signature(reference, number), function = exercise_of(number).function;
             INFO(number.text() << ": " << head);
-            CHECK_FALSE(std::regex_search(head, std::regex(R"(\b(constexpr|consteval|noexcept|explicit)\b)")));
+            CHECK_FALSE(
+                std::regex_search(head, std::regex(R"(\b(constexpr|consteval|noexcept|explicit)\b)")));
             CHECK_FALSE(std::regex_search(head, std::regex(R"((^|> )auto\b|->)")));
-            CHECK(std::regex_search(head, std::regex(R"([\w>&:*\]] (\w+::)*)" + function + R"(\()")));     // a type stands before the name
+            CHECK(std::regex_search(head, std::regex(R"([\w>&:*\]] (\w+::)*)" + function +
+                                                     R"(\()")));  // a type stands before the name
             const std::string body = bare_code(reference.body(number)->text);
             CHECK(std::count(body.begin(), body.end(), '{') == std::count(body.begin(), body.end(), '}'));
             CHECK((body.back() == ';' || body.back() == '}'));
@@ -64,7 +69,8 @@ TEST_CASE("Exercises can be stripped: explicit return types, whole statements, a
         }
 }
 
-TEST_CASE("Words: a title, three hints, three mistakes with name, origin, symptom and sentence, an alternative") {
+TEST_CASE(
+    "Words: a title, three hints, three mistakes with name, origin, symptom and sentence, an alternative") {
     for (const Exercise& exercise : all_exercises()) {
         INFO(exercise.id);
         CHECK(!exercise.title.empty());
@@ -72,7 +78,8 @@ TEST_CASE("Words: a title, three hints, three mistakes with name, origin, sympto
         CHECK(!exercise.alternatives.empty());
         for (const auto& hint : exercise.hints) CHECK(hint.size() > 20);
         for (const auto& mistake : exercise.mistakes)
-            for (const auto& words : {mistake.name, mistake.origin, mistake.symptom, mistake.sentence}) CHECK(!words.empty());
+            for (const auto& words : {mistake.name, mistake.origin, mistake.symptom, mistake.sentence})
+                CHECK(!words.empty());
     }
 }
 
@@ -84,7 +91,7 @@ TEST_CASE("No hint holds a line of the solution") {
                 std::string code = squeezed(line);
                 if (!code.empty() && code.back() == ';') code.pop_back();
                 const std::string value = starts_with(code, "return") ? code.substr(6) : code;
-                if (value.size() < 8) continue;      // "return state" is no secret
+                if (value.size() < 8) continue;  // "return state" is no secret
                 for (const auto& hint : exercise_of(number).hints) {
                     INFO(number.text() << ": " << line << "\n" << hint);
                     CHECK_FALSE(contains(squeezed(hint), value));
@@ -100,7 +107,8 @@ TEST_CASE("In the judge: solutions and alternatives pass, every mistake is calle
         for (const auto& alternative : exercise.alternatives) {
             INFO(alternative.name);
             const auto diagnosis = diagnose(exercise, reference, values_of(record_of(alternative.attempt)));
-            INFO(diagnosis.name << " " << diagnosis.output << " " << diagnosis.yours << " " << diagnosis.expected);
+            INFO(diagnosis.name << " " << diagnosis.output << " " << diagnosis.yours << " "
+                                << diagnosis.expected);
             CHECK(diagnosis.right);
         }
         for (const auto& mistake : exercise.mistakes) {
@@ -116,7 +124,8 @@ TEST_CASE("Mistakes differ from the truth and from each other by at least 1e-4 o
     for (const Exercise& exercise : all_exercises()) {
         const Record reference = record_of(exercise.reference);
         std::vector<std::pair<std::string, Record>> all{{"the truth", reference}};
-        for (const auto& mistake : exercise.mistakes) all.emplace_back(mistake.name, record_of(mistake.attempt));
+        for (const auto& mistake : exercise.mistakes)
+            all.emplace_back(mistake.name, record_of(mistake.attempt));
         for (std::size_t i = 0; i < all.size(); ++i)
             for (std::size_t k = 0; k < i; ++k) {
                 INFO(exercise.id << ": " << all[i].first << " and " << all[k].first);
@@ -135,8 +144,9 @@ TEST_CASE("Every single number counts: moved by 2e-9 of its scale it fails, by 5
             for (const double value : output.values) largest = std::max(largest, std::abs(value));
             CHECK(std::isfinite(output.scale));
             CHECK(output.scale > 0);
-            CHECK((largest == 0 || output.scale <= 1e3 * largest));     // terms that cancel to almost nothing would hide slips
-            CHECK(largest <= 1e3 * output.scale);                       // and scales that are too small would reject right answers
+            CHECK((largest == 0 ||
+                   output.scale <= 1e3 * largest));  // terms that cancel to almost nothing would hide slips
+            CHECK(largest <= 1e3 * output.scale);  // and scales that are too small would reject right answers
             for (std::size_t c = 0; c < output.values.size(); ++c) {
                 auto values = values_of(reference);
                 values[i][c] += 2e-9 * output.scale;
@@ -158,7 +168,7 @@ TEST_CASE("As sheets: every skeleton is not answered yet, every solution passes"
         for (const Number number : chapter.exercises) {
             const SheetAnswer answer = sheets.ask(sheet, number);
             INFO(number.text());
-            CHECK(answer.unanswered.has_value());       // itself, or one that its questions need
+            CHECK(answer.unanswered.has_value());  // itself, or one that its questions need
             CHECK(answer.outputs.size() < record_of(exercise_of(number).reference).outputs.size());
         }
         for (const Number number : chapter.exercises) learner.solve(number);

@@ -3,6 +3,7 @@
 #include <unistd.h>
 #include <stdexcept>
 #include <string>
+#include "../check.hpp"
 #include "check.hpp"
 #include "judge_config.hpp"
 #include "text.hpp"
@@ -49,7 +50,9 @@ struct Learner {
             if (each.number == chapter) return check(rooms, each, each.exercises);
         throw std::logic_error("no such chapter");
     }
-    Verdict check_one(Number number) const { return check(rooms, chapter_of(rooms, number), {number}).front(); }
+    Verdict check_one(Number number) const {
+        return check(rooms, chapter_of(rooms, number), {number}).front();
+    }
 
     /// The program itself, as ./course calls it, on this learner's folder.
     Ran judge(std::vector<std::string> words) const {
@@ -58,5 +61,25 @@ struct Learner {
         return run(words, {.wall_seconds = 1800, .printed = 1 << 20});
     }
 };
+
+/// The verdict on exercise 1.1 with this body.
+inline Verdict on_first(const Learner& learner, const std::string& body) {
+    learner.answer({1, 1}, body);
+    return learner.check_one({1, 1});
+}
+
+/// Words as they were before they were folded into lines.
+inline std::string flat(const std::string& words) {
+    std::string text = replaced(words, "\n", " ");
+    while (contains(text, "  ")) text = replaced(text, "  ", " ");
+    return text;
+}
+
+/// What a learner must never see.
+inline void is_plain(const Verdict& verdict) {
+    for (const auto* word : {"template", "instantiation", "required from", "lambda",
+                             "Eigen::", "nutshell::", "build/", "sheet", "In file included"})
+        CHECK_FALSE(contains(verdict.words, word));
+}
 
 }  // namespace nutshell::judge

@@ -3,6 +3,7 @@
 #include <exception>
 #include <iostream>
 #include <map>
+#include <stdexcept>
 #include "check.hpp"
 #include "judge_config.hpp"
 
@@ -12,7 +13,8 @@ namespace {
 
 constexpr const char* usage =
     "usage: judge VERB [N[.M]] [--answers DIR]\n"
-    "  start | check [N[.M]] [--junit FILE] | hint N.M | solution N.M [--give-up] | reset N.M | watch [N[.M]] | run N --mine\n";
+    "  start | check [N[.M]] [--junit FILE] | hint N.M | solution N.M [--give-up] | reset N.M | watch "
+    "[N[.M]] | run N --mine\n";
 
 struct Arguments {
     std::string verb, which;
@@ -35,7 +37,8 @@ Arguments parse(int argc, char** argv) {
         } else if (arguments.which.empty()) {
             arguments.which = word;
         } else {
-            throw std::invalid_argument("one exercise or chapter at a time, not '" + arguments.which + "' and '" + word + "'");
+            throw std::invalid_argument("one exercise or chapter at a time, not '" + arguments.which +
+                                        "' and '" + word + "'");
         }
     }
     return arguments;
@@ -56,20 +59,29 @@ int act(const Arguments& arguments) {
     const std::string& verb = arguments.verb;
     const auto exercise = [&] {
         const auto number = number_of(arguments.which);
-        if (!number) throw std::invalid_argument(verb + " needs the number of an exercise, such as ./course " + verb + " 1.3");
+        if (!number)
+            throw std::invalid_argument(verb + " needs the number of an exercise, such as ./course " + verb +
+                                        " 1.3");
         return *number;
     };
     const auto begun = [&] {
-        if (!fs::exists(rooms.answers)) throw std::runtime_error("there is no answers/ yet: begin with ./course start");
+        if (!fs::exists(rooms.answers))
+            throw std::runtime_error("there is no answers/ yet: begin with ./course start");
     };
     if (verb == "check") return verb_check(rooms, arguments.which, option("--junit", ""));
     if (verb == "watch") verb_watch(rooms, arguments.which);
-    if (verb == "run" && !option("--mine", "").empty()) return begun(), verb_mine(rooms, arguments.which, option("--out", ""));
-    if (verb == "start") std::cout << start(rooms);
-    else if (verb == "hint") begun(), std::cout << hint(rooms, exercise());
-    else if (verb == "solution") std::cout << solution(rooms, exercise(), !option("--give-up", "").empty());
-    else if (verb == "reset") begun(), std::cout << reset(rooms, exercise());
-    else throw std::invalid_argument(std::string("unknown verb '") + verb + "'\n" + usage);
+    if (verb == "run" && !option("--mine", "").empty())
+        return begun(), verb_mine(rooms, arguments.which, option("--out", ""));
+    if (verb == "start")
+        std::cout << start(rooms);
+    else if (verb == "hint")
+        begun(), std::cout << hint(rooms, exercise());
+    else if (verb == "solution")
+        std::cout << solution(rooms, exercise(), !option("--give-up", "").empty());
+    else if (verb == "reset")
+        begun(), std::cout << reset(rooms, exercise());
+    else
+        throw std::invalid_argument(std::string("unknown verb '") + verb + "'\n" + usage);
     return 0;
 }
 

@@ -14,7 +14,8 @@ std::optional<Number> number_of(std::string_view text) {
             value = 10 * value + (text[i++] - '0');
         return i > begin;
     };
-    if (!digits(number.chapter) || i >= text.size() || text[i++] != '.' || !digits(number.exercise) || i != text.size())
+    if (!digits(number.chapter) || i >= text.size() || text[i++] != '.' || !digits(number.exercise) ||
+        i != text.size())
         return std::nullopt;
     return number;
 }
@@ -46,28 +47,37 @@ Marked marked(std::string_view source) {
     for (const auto& [number, unused] : all) {
         const auto& begin = begins[number];
         const auto& end = ends[number];
-        const std::string open = "`// exercise " + number.text() + "`", close = "`// end " + number.text() + "`";
+        const std::string open = "`// exercise " + number.text() + "`",
+                          close = "`// end " + number.text() + "`";
         const auto twice = [](const std::string& name, const std::vector<std::size_t>& where) {
-            return "the mark " + name + " stands " + std::to_string(where.size()) + " times, in lines " + std::to_string(where[0] + 1) +
-                   " and " + std::to_string(where[1] + 1) + ": keep the one that belongs to the function";
+            return "the mark " + name + " stands " + std::to_string(where.size()) + " times, in lines " +
+                   std::to_string(where[0] + 1) + " and " + std::to_string(where[1] + 1) +
+                   ": keep the one that belongs to the function";
         };
         std::string& complaint = result.complaints[number];
-        if (begin.size() > 1) complaint = twice(open, begin);
-        else if (end.size() > 1) complaint = twice(close, end);
-        else if (begin.empty()) complaint = "the mark " + open + " is gone: put it back on a line of its own above the body";
-        else if (end.empty()) complaint = "the mark " + close + " is gone: put it back on a line of its own below the body";
-        else if (end[0] < begin[0]) complaint = "the mark " + close + " stands above " + open + ": exchange them";
+        if (begin.size() > 1)
+            complaint = twice(open, begin);
+        else if (end.size() > 1)
+            complaint = twice(close, end);
+        else if (begin.empty())
+            complaint = "the mark " + open + " is gone: put it back on a line of its own above the body";
+        else if (end.empty())
+            complaint = "the mark " + close + " is gone: put it back on a line of its own below the body";
+        else if (end[0] < begin[0])
+            complaint = "the mark " + close + " stands above " + open + ": exchange them";
         if (!complaint.empty()) continue;
         std::string text;
         for (std::size_t i = begin[0] + 1; i < end[0]; ++i) text += result.lines[i] + "\n";
         result.complaints.erase(number);
         result.bodies.push_back({number, begin[0], end[0], text});
     }
-    std::sort(result.bodies.begin(), result.bodies.end(), [](const Body& a, const Body& b) { return a.begin < b.begin; });
+    std::sort(result.bodies.begin(), result.bodies.end(),
+              [](const Body& a, const Body& b) { return a.begin < b.begin; });
     for (std::size_t i = 1; i < result.bodies.size(); ++i)
         if (result.bodies[i].begin < result.bodies[i - 1].end)
-            result.complaints[result.bodies[i].number] = "the mark `// exercise " + result.bodies[i].number.text() +
-                                                         "` stands inside the body of " + result.bodies[i - 1].number.text();
+            result.complaints[result.bodies[i].number] =
+                "the mark `// exercise " + result.bodies[i].number.text() + "` stands inside the body of " +
+                result.bodies[i - 1].number.text();
     std::erase_if(result.bodies, [&](const Body& body) { return result.complaints.count(body.number) > 0; });
     return result;
 }
@@ -112,11 +122,13 @@ std::string with_bodies(const Marked& source, const std::map<Number, std::string
     return all;
 }
 
-std::string with_stand_ins(const Marked& source, const std::map<Number, std::string>& bodies, const std::string& file) {
+std::string with_stand_ins(const Marked& source, const std::map<Number, std::string>& bodies,
+                           const std::string& file) {
     std::map<Number, std::string> lined;
     for (const Body& body : source.bodies)
         if (const auto found = bodies.find(body.number); found != bodies.end())
-            lined[body.number] = found->second + "#line " + std::to_string(body.end + 1) + " \"" + file + "\"\n";
+            lined[body.number] =
+                found->second + "#line " + std::to_string(body.end + 1) + " \"" + file + "\"\n";
     return "#line 1 \"" + file + "\"\n" + with_bodies(source, lined);
 }
 
@@ -158,7 +170,8 @@ std::string unindented(std::string_view text) {
     const auto lines = lines_of(text);
     std::size_t common = std::string::npos;
     for (const auto& line : lines)
-        if (const auto first = line.find_first_not_of(' '); first != std::string::npos) common = std::min(common, first);
+        if (const auto first = line.find_first_not_of(' '); first != std::string::npos)
+            common = std::min(common, first);
     std::string all;
     for (const auto& line : lines) all += (line.size() > common ? line.substr(common) : "") + "\n";
     return all;

@@ -26,10 +26,11 @@ struct Body {
     std::string text;        ///< the lines between them, each with its end
 };
 
-/// A source with its marked bodies. Marks that do not pair up are complained about, in words for who wrote them.
+/// A source with its marked bodies. Marks that do not pair up are complained about, in words for who wrote
+/// them.
 struct Marked {
     std::vector<std::string> lines;
-    std::vector<Body> bodies;               ///< in the order of the file
+    std::vector<Body> bodies;  ///< in the order of the file
     std::map<Number, std::string> complaints;
 
     const Body* body(Number number) const;
@@ -46,7 +47,8 @@ bool is_unanswered(const Body& body);
 /// The source with some bodies replaced. What is not in `bodies` stays.
 std::string with_bodies(const Marked& source, const std::map<Number, std::string>& bodies);
 /// The same, for a compiler: its messages name the lines of `file`, which holds the source as it was.
-std::string with_stand_ins(const Marked& source, const std::map<Number, std::string>& bodies, const std::string& file);
+std::string with_stand_ins(const Marked& source, const std::map<Number, std::string>& bodies,
+                           const std::string& file);
 /// The reference's source as a learner gets it.
 std::string skeleton(std::string_view reference);
 /// Everything from the start of the function's declaration to its opening brace, on one line.

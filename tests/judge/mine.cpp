@@ -1,6 +1,8 @@
-// ./course run N --mine: the chapter's program, compiled on the learner's answers. What is not answered falls back to the reference.
+// ./course run N --mine: the chapter's program, compiled on the learner's answers. What is not answered falls
+// back to the reference.
 #include <algorithm>
 #include <iostream>
+#include <map>
 #include <stdexcept>
 #include "check.hpp"
 #include "judge_config.hpp"
@@ -19,7 +21,8 @@ std::string ranges(std::vector<Number> numbers) {
     for (std::size_t i = 0; i < numbers.size();) {
         std::size_t k = i;
         while (k + 1 < numbers.size() && numbers[k + 1].exercise == numbers[k].exercise + 1) ++k;
-        text += (i ? ", " : "") + numbers[i].text() + (k > i ? (k > i + 1 ? " to " : ", ") + numbers[k].text() : "");
+        text += (i ? ", " : "") + numbers[i].text() +
+                (k > i ? (k > i + 1 ? " to " : ", ") + numbers[k].text() : "");
         i = k + 1;
     }
     return text;
@@ -34,7 +37,8 @@ struct Stock {
 };
 
 /// The learner's header with the reference's bodies where there is no answer.
-std::string engine(const fs::path& own_file, const std::string& own_text, const Marked& reference, Stock& stock) {
+std::string engine(const fs::path& own_file, const std::string& own_text, const Marked& reference,
+                   Stock& stock) {
     const Marked own = marked(own_text);
     std::map<Number, std::string> bodies;
     for (const Body& body : reference.bodies) {
@@ -53,18 +57,22 @@ std::string engine(const fs::path& own_file, const std::string& own_text, const 
 
 int verb_mine(const Rooms& rooms, const std::string& which, const fs::path& wanted_out) {
     const auto chosen = meant(rooms, which);
-    if (which.empty() || number_of(which)) throw std::invalid_argument("run --mine needs a chapter, such as ./course run 1 --mine");
+    if (which.empty() || number_of(which))
+        throw std::invalid_argument("run --mine needs a chapter, such as ./course run 1 --mine");
     const Chapter& chapter = chosen.front();
     const fs::path out = wanted_out.empty() ? rooms.course / "out/mine" / chapter.folder : wanted_out;
     const fs::path answers = rooms.answers / chapter.folder;
-    if (!fs::exists(answers)) throw std::runtime_error("there is no " + named(rooms, answers) + " yet: ./course start makes it");
+    if (!fs::exists(answers))
+        throw std::runtime_error("there is no " + named(rooms, answers) + " yet: ./course start makes it");
 
     // what would not come to an end is found here, where it does no harm
     std::string wrong;
     for (const Verdict& verdict : check(rooms, chapter, chapter.exercises)) {
         if (verdict.outcome == Outcome::not_compiled || verdict.outcome == Outcome::failed)
-            throw std::runtime_error("your answer to " + verdict.number.text() + " cannot be run: " + verdict.name + "\n" + verdict.words);
-        if (verdict.outcome == Outcome::wrong) wrong += (wrong.empty() ? "" : ", ") + verdict.number.text() + " (" + verdict.name + ")";
+            throw std::runtime_error("your answer to " + verdict.number.text() +
+                                     " cannot be run: " + verdict.name + "\n" + verdict.words);
+        if (verdict.outcome == Outcome::wrong)
+            wrong += (wrong.empty() ? "" : ", ") + verdict.number.text() + " (" + verdict.name + ")";
     }
 
     const Lock lock(CONFIG_MINE);
@@ -73,30 +81,41 @@ int verb_mine(const Rooms& rooms, const std::string& which, const fs::path& want
         Stock stock;
         for (const auto& header : each.headers) {
             const auto own = own_text(rooms, each, header);
-            const std::string text = own ? engine(own_path(rooms, each, header), *own, header.reference, stock) : header.reference.text();
+            const std::string text =
+                own ? engine(own_path(rooms, each, header), *own, header.reference, stock)
+                    : header.reference.text();
             write_if_changed(fs::path(CONFIG_MINE) / each.folder / header.path, text);
             if (!own)
                 for (const Body& body : header.reference.bodies) stock.reference.push_back(body.number);
         }
         if (!stock.own.empty()) std::cout << "Yours: " << ranges(stock.own) << ". ";
-        if (!stock.reference.empty()) std::cout << (stock.own.empty() ? "None is yours: the" : "The") << " reference stands in for " << ranges(stock.reference) << ", not answered yet. ";
+        if (!stock.reference.empty())
+            std::cout << (stock.own.empty() ? "None is yours: the" : "The") << " reference stands in for "
+                      << ranges(stock.reference) << ", not answered yet. ";
         std::cout << '\n';
     }
     if (!wrong.empty()) std::cout << "Not right yet, so look at what it does: " << wrong << '\n';
     std::cout << "Compiling chapter " << chapter.number << " on it ...\n" << std::flush;
 
     const std::string target = "mine_" + chapter.folder;
-    const Ran built = run({CONFIG_CMAKE, "--build", CONFIG_BUILD, "--target", target}, {.wall_seconds = 1800, .printed = 1 << 20});
+    const Ran built = run({CONFIG_CMAKE, "--build", CONFIG_BUILD, "--target", target},
+                          {.wall_seconds = 1800, .printed = 1 << 20});
     if (built.exit_code != 0) {
-        const CompileProblem problem = Sheets(rooms, chapter).explain(built.out + built.err, chapter.exercises);
-        throw std::runtime_error("chapter " + std::to_string(chapter.number) + " does not compile on your answers: " +
-                                 (problem.where.empty() ? "" : problem.where + ": ") + problem.message + "\n  The compiler says: " + problem.compiler);
+        const CompileProblem problem =
+            Sheets(rooms, chapter).explain(built.out + built.err, chapter.exercises);
+        throw std::runtime_error(
+            "chapter " + std::to_string(chapter.number) +
+            " does not compile on your answers: " + (problem.where.empty() ? "" : problem.where + ": ") +
+            problem.message + "\n  The compiler says: " + problem.compiler);
     }
-    const Ran ran = run({(fs::path(CONFIG_BIN) / target).string(), "--out", out.string()}, {.wall_seconds = 600, .printed = 1 << 20});
+    const Ran ran = run({(fs::path(CONFIG_BIN) / target).string(), "--out", out.string()},
+                        {.wall_seconds = 600, .printed = 1 << 20});
     std::cout << ran.out << std::flush;
     std::cerr << ran.err;
     if (ran.out_of_time || ran.signal)
-        throw std::runtime_error(ran.out_of_time ? "it did not come to an end within ten minutes: stopped" : "it crashed on your answers (signal " + std::to_string(ran.signal) + ")");
+        throw std::runtime_error(ran.out_of_time ? "it did not come to an end within ten minutes: stopped"
+                                                 : "it crashed on your answers (signal " +
+                                                       std::to_string(ran.signal) + ")");
     return ran.exit_code;
 }
 

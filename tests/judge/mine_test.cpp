@@ -1,4 +1,5 @@
 // run N --mine: the program's output follows the learner's answers.
+#include <map>
 #include <sstream>
 #include "../check.hpp"
 #include "learner.hpp"
@@ -19,7 +20,9 @@ std::map<std::string, std::string> numbers_in(const std::filesystem::path& folde
 
 TEST_CASE("run --mine: the numbers follow the answer, and the reference stands in for the rest") {
     const Learner learner("mine");
-    const auto run_mine = [&] { return learner.judge({"run", "1", "--mine", "--out", (learner.folder / "out").string()}); };
+    const auto run_mine = [&] {
+        return learner.judge({"run", "1", "--mine", "--out", (learner.folder / "out").string()});
+    };
 
     // an answer that would hang it is refused with its name
     learner.answer({1, 3}, "    while (dt > 0) drift(state, dt);\n    return state;");
@@ -28,12 +31,16 @@ TEST_CASE("run --mine: the numbers follow the answer, and the reference stands i
     CHECK_THAT(ran.err, ContainsSubstring("your answer to 1.3 cannot be run: endless loop"));
 
     // semi-implicit Euler in place of Euler: where Euler is g T dt/2 too high, it is as much too low
-    learner.answer({1, 3}, "    kick(state, forces(state, t), dt);\n    drift(state, dt);\n    return state;");
+    learner.answer({1, 3},
+                   "    kick(state, forces(state, t), dt);\n    drift(state, dt);\n    return state;");
     ran = run_mine();
     INFO(ran.out << ran.err);
     REQUIRE(ran.exit_code == 0);
-    CHECK_THAT(ran.out, ContainsSubstring("Yours: 1.3. The reference stands in for 1.1, 1.2, 1.4 to 1.8, not answered yet."));
-    CHECK_THAT(ran.out, ContainsSubstring("Not right yet, so look at what it does: 1.3 (wrong: kicks before it drifts)"));
+    CHECK_THAT(
+        ran.out,
+        ContainsSubstring("Yours: 1.3. The reference stands in for 1.1, 1.2, 1.4 to 1.8, not answered yet."));
+    CHECK_THAT(ran.out, ContainsSubstring(
+                            "Not right yet, so look at what it does: 1.3 (wrong: kicks before it drifts)"));
     auto numbers = numbers_in(learner.folder / "out");
     const auto value = [&](const std::string& name) {
         REQUIRE(numbers.count(name) == 1);

@@ -6,6 +6,7 @@
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <chrono>
@@ -24,7 +25,8 @@ struct Pipe {
     int read = -1, write = -1;
     Pipe() {
         int ends[2];
-        if (pipe2(ends, O_CLOEXEC) != 0) throw std::runtime_error(std::string("cannot make a pipe: ") + std::strerror(errno));
+        if (pipe2(ends, O_CLOEXEC) != 0)
+            throw std::runtime_error(std::string("cannot make a pipe: ") + std::strerror(errno));
         read = ends[0], write = ends[1];
     }
     ~Pipe() {
@@ -61,7 +63,7 @@ void limit(int which, rlim_t value) {
     dup2(safe_err, 2);
     dup2(safe_extra, pipe_number);
     for (int other = pipe_number + 1; other < 64; ++other) close(other);
-    setenv("LC_ALL", "C", 1);       // a compiler's messages in the one form that explain() reads
+    setenv("LC_ALL", "C", 1);  // a compiler's messages in the one form that explain() reads
     execvp(words[0], words.data());
     _exit(127);
 }
@@ -78,7 +80,7 @@ Ran run(const std::vector<std::string>& words, const Limits& limits) {
     const pid_t child = fork();
     if (child < 0) throw std::runtime_error("cannot start " + words[0] + ": " + std::strerror(errno));
     if (child == 0) become(arguments, limits, out.write, err.write, extra.write);
-    setpgid(child, child);      // both sides set it: whoever is first
+    setpgid(child, child);  // both sides set it: whoever is first
     out.close_write(), err.close_write(), extra.close_write();
 
     struct Stream {
@@ -87,8 +89,9 @@ Ran run(const std::vector<std::string>& words, const Limits& limits) {
         std::size_t most, seen = 0;
         bool open = true;
     };
-    std::array<Stream, 3> streams{
-        {{out.read, &ran.out, limits.printed}, {err.read, &ran.err, limits.printed}, {extra.read, &ran.pipe, 64 * 1024 * 1024}}};
+    std::array<Stream, 3> streams{{{out.read, &ran.out, limits.printed},
+                                   {err.read, &ran.err, limits.printed},
+                                   {extra.read, &ran.pipe, 64 * 1024 * 1024}}};
     const auto end = Clock::now() + std::chrono::duration<double>(limits.wall_seconds);
     bool killed = false;
     const auto stop = [&] {
@@ -117,25 +120,31 @@ Ran run(const std::vector<std::string>& words, const Limits& limits) {
             any = true;
             const auto bytes = static_cast<std::size_t>(count);
             stream.seen += bytes;
-            stream.kept->append(buffer.data(), std::min(bytes, stream.most - std::min(stream.most, stream.kept->size())));
+            stream.kept->append(buffer.data(),
+                                std::min(bytes, stream.most - std::min(stream.most, stream.kept->size())));
             if (stream.seen > 16 * stream.most && !killed) {
                 ran.printed_too_much = true;
                 stop();
             }
         }
-        if (!gone && wait4(child, &status, WNOHANG, &used) == child) gone = true;
-        else if (gone && !any) break;
+        if (!gone && wait4(child, &status, WNOHANG, &used) == child)
+            gone = true;
+        else if (gone && !any)
+            break;
         if (!gone && !killed && Clock::now() > end) {
             ran.out_of_time = true;
             stop();
         }
     }
-    kill(-child, SIGKILL);      // whatever it left behind
+    kill(-child, SIGKILL);  // whatever it left behind
     ran.seconds = static_cast<double>(used.ru_utime.tv_sec + used.ru_stime.tv_sec) +
                   1e-6 * static_cast<double>(used.ru_utime.tv_usec + used.ru_stime.tv_usec);
-    if (WIFEXITED(status)) ran.exit_code = WEXITSTATUS(status);
-    else ran.signal = WTERMSIG(status);
-    if (ran.signal == SIGXCPU || (ran.signal == SIGKILL && !killed && limits.cpu_seconds && ran.seconds >= limits.cpu_seconds))
+    if (WIFEXITED(status))
+        ran.exit_code = WEXITSTATUS(status);
+    else
+        ran.signal = WTERMSIG(status);
+    if (ran.signal == SIGXCPU ||
+        (ran.signal == SIGKILL && !killed && limits.cpu_seconds && ran.seconds >= limits.cpu_seconds))
         ran.out_of_time = true;
     return ran;
 }

@@ -15,18 +15,19 @@ struct Limits {
 };
 
 struct Ran {
-    int exit_code = -1;          ///< -1 if a signal ended it
+    int exit_code = -1;  ///< -1 if a signal ended it
     int signal = 0;
-    bool out_of_time = false;    ///< of either clock
+    bool out_of_time = false;  ///< of either clock
     bool printed_too_much = false;
-    std::string out, err;        ///< the first bytes of its streams
-    std::string pipe;            ///< what it wrote to the descriptor `pipe_number`
-    double seconds = 0;          ///< processor time, its children's included
+    std::string out, err;  ///< the first bytes of its streams
+    std::string pipe;      ///< what it wrote to the descriptor `pipe_number`
+    double seconds = 0;    ///< processor time, its children's included
 };
 
 inline constexpr int pipe_number = 3;  ///< the descriptor of the extra pipe in the program that is run
 
-/// @param words  the program (searched in PATH) and its arguments   @throws std::runtime_error if it cannot be started
+/// @param words  the program (searched in PATH) and its arguments   @throws std::runtime_error if it cannot
+/// be started
 Ran run(const std::vector<std::string>& words, const Limits& limits);
 
 /// While it lives no other process gets past this line for the same folder. The lock goes with the process.

@@ -10,9 +10,11 @@ using namespace nutshell::judge;
 namespace {
 
 /// Whether the lines printed are those shown, where a line of "..." stands for any lines.
-bool as_shown(const std::vector<std::string>& shown, const std::vector<std::string>& printed, std::size_t s = 0, std::size_t p = 0) {
+bool as_shown(const std::vector<std::string>& shown, const std::vector<std::string>& printed,
+              std::size_t s = 0, std::size_t p = 0) {
     if (s == shown.size()) return p == printed.size();
-    if (shown[s] != "...") return p < printed.size() && printed[p] == shown[s] && as_shown(shown, printed, s + 1, p + 1);
+    if (shown[s] != "...")
+        return p < printed.size() && printed[p] == shown[s] && as_shown(shown, printed, s + 1, p + 1);
     for (std::size_t next = p; next <= printed.size(); ++next)
         if (as_shown(shown, printed, s + 1, next)) return true;
     return false;
@@ -30,7 +32,7 @@ TEST_CASE("The learner's first ten minutes in the README are what happens") {
     const auto title = std::find(readme.begin(), readme.end(), "## The learner's first ten minutes");
     REQUIRE(title != readme.end());
     const Learner learner("readme");
-    std::filesystem::remove_all(learner.rooms.answers);     // ./course start makes it
+    std::filesystem::remove_all(learner.rooms.answers);  // ./course start makes it
 
     static const std::regex exercise(R"(xercise (\d+\.\d+))"), command(R"(\$ \./course (.*))");
     std::optional<Number> number;
@@ -40,7 +42,8 @@ TEST_CASE("The learner's first ten minutes in the README are what happens") {
     const auto play = [&] {
         if (words.empty()) return;
         ++commands;
-        if (words.front() == "run" || words.front() == "watch") return words.clear();      // have tests of their own
+        if (words.front() == "run" || words.front() == "watch")
+            return words.clear();  // have tests of their own
         const Ran ran = learner.judge(words);
         INFO("./course " << joined(words, " ") << "\n" << ran.out << ran.err);
         CHECK(as_shown(shown, lines_of(without_lines(ran.out))));
@@ -67,7 +70,8 @@ TEST_CASE("The learner's first ten minutes in the README are what happens") {
         } else if (block == "cpp") {
             body += "    " + *line + "\n";
         } else {
-            for (std::string rest = *line; std::regex_search(rest, found, exercise); rest = found.suffix()) number = number_of(found[1].str());
+            for (std::string rest = *line; std::regex_search(rest, found, exercise); rest = found.suffix())
+                number = number_of(found[1].str());
         }
     }
     CHECK(commands >= 6);

@@ -1,7 +1,10 @@
 #include "rooms.hpp"
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 #include <stdexcept>
+#include <utility>
+#include "exercise.hpp"
 #include "text.hpp"
 
 namespace nutshell::exercises {
@@ -49,13 +52,16 @@ void Paper::describe(const std::vector<double>& values) {
     ++described_;
 }
 
-void Paper::keep(const char* name, std::vector<double> values, const std::vector<double>& terms, std::vector<double> exact) {
+void Paper::keep(const char* name, std::vector<double> values, const std::vector<double>& terms,
+                 std::vector<double> exact) {
     double scale = 0;
     for (const double term : terms) scale = std::max(scale, std::abs(term));
-    std::vector<double> start;      // by convention the first term is what the value starts from
-    if (terms.size() >= values.size()) start.assign(terms.begin(), terms.begin() + static_cast<std::ptrdiff_t>(values.size()));
+    std::vector<double> start;  // by convention the first term is what the value starts from
+    if (terms.size() >= values.size())
+        start.assign(terms.begin(), terms.begin() + static_cast<std::ptrdiff_t>(values.size()));
     if (record_.inputs.empty()) begin_input();
-    record_.outputs.push_back({name, record_.inputs.size() - 1, level_, std::move(values), scale, std::move(start), std::move(exact)});
+    record_.outputs.push_back({name, record_.inputs.size() - 1, level_, std::move(values), scale,
+                               std::move(start), std::move(exact)});
 }
 
 }  // namespace nutshell::exercises
@@ -100,7 +106,8 @@ fs::path questions_file(const Rooms& rooms, const Chapter& chapter, Number numbe
     const fs::path folder = rooms.course / "chapters" / chapter.folder / "exercises";
     if (fs::is_directory(folder))
         for (const auto& entry : fs::directory_iterator(folder))
-            if (starts_with(entry.path().filename().string(), number.text() + "_") && entry.path().extension() == ".hpp")
+            if (starts_with(entry.path().filename().string(), number.text() + "_") &&
+                entry.path().extension() == ".hpp")
                 return entry.path();
     throw std::runtime_error("exercise " + number.text() + " is marked in its header, but has no file " +
                              (folder / (number.text() + "_*.hpp")).string());
@@ -109,7 +116,8 @@ fs::path questions_file(const Rooms& rooms, const Chapter& chapter, Number numbe
 const std::vector<exercises::Exercise>& all_exercises() {
     static const auto sorted = [] {
         auto all = exercises::entered();
-        std::sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return number_of(a.id) < number_of(b.id); });
+        std::sort(all.begin(), all.end(),
+                  [](const auto& a, const auto& b) { return number_of(a.id) < number_of(b.id); });
         return all;
     }();
     return sorted;
@@ -118,7 +126,9 @@ const std::vector<exercises::Exercise>& all_exercises() {
 const exercises::Exercise& exercise_of(Number number) {
     for (const auto& exercise : all_exercises())
         if (number_of(exercise.id) == number) return exercise;
-    throw std::runtime_error("exercise " + number.text() + " has no file in its chapter's folder exercises/, or the judge was built without it");
+    throw std::runtime_error(
+        "exercise " + number.text() +
+        " has no file in its chapter's folder exercises/, or the judge was built without it");
 }
 
 exercises::Record record_of(const exercises::Attempt& attempt, bool other_states) {

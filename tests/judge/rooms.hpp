@@ -1,10 +1,11 @@
-// Where things are: the course's chapters with their exercises, the learner's answers, and the judge's own folder.
+// Where things are: the course's chapters with their exercises, the learner's answers, and the judge's own
+// folder.
 #pragma once
 #include <filesystem>
 #include <string>
 #include <vector>
-#include "exercise.hpp"
 #include "marks.hpp"
+#include "record.hpp"
 
 namespace nutshell::judge {
 
@@ -23,14 +24,15 @@ struct Chapter {
         std::string path;  ///< "nutshell/newton.hpp"
         Marked reference;
     };
-    std::vector<Header> headers;       ///< those with marks
-    std::vector<Number> exercises;     ///< in order
+    std::vector<Header> headers;    ///< those with marks
+    std::vector<Number> exercises;  ///< in order
 
     const Header& header_of(Number exercise) const;
 };
 std::vector<Chapter> chapters_of(const Rooms& rooms);
 
-/// The file that asks an exercise, chapters/NN_name/exercises/N.M_*.hpp. @throws std::runtime_error if there is none
+/// The file that asks an exercise, chapters/NN_name/exercises/N.M_*.hpp. @throws std::runtime_error if there
+/// is none
 std::filesystem::path questions_file(const Rooms& rooms, const Chapter& chapter, Number number);
 
 /// All exercises compiled into this program, in order.

@@ -1,5 +1,6 @@
-// The sheet: a learner's answers as a program of their own. It answers the questions of one exercise and writes raw numbers to
-// a pipe. It holds no reference and no verdict. The judge compiles it on the learner's header:
+// The sheet: a learner's answers as a program of their own. It answers the questions of one exercise and
+// writes raw numbers to a pipe. It holds no reference and no verdict. The judge compiles it on the learner's
+// header:
 //   NUTSHELL_SHEET      is defined: exercise files show their questions only
 //   NUTSHELL_EXERCISES  names a file that includes the exercises to be asked
 // usage: sheet EXERCISE FD
@@ -18,7 +19,8 @@ namespace {
 int pipe_to_judge = -1;
 
 /// One record: a letter, the length of what follows, and that.
-/// v: numbers of one output   u: the body of exercise ... is not answered   x: an exception says ...   e: the end
+/// v: numbers of one output   u: the body of exercise ... is not answered   x: an exception says ...   e: the
+/// end
 void record(char letter, const void* data, std::size_t size) {
     std::vector<char> bytes(1 + sizeof(std::uint32_t) + size);
     const auto length = static_cast<std::uint32_t>(size);
@@ -75,7 +77,8 @@ static int answer_sheet(const char* id) {
 int main(int argc, char** argv) {
     if (argc != 3) return 2;
     const int given = std::atoi(argv[2]);
-    nutshell::exercises::pipe_to_judge = fcntl(given, F_DUPFD_CLOEXEC, 200);    // out of the way of an answer's own files
+    nutshell::exercises::pipe_to_judge =
+        fcntl(given, F_DUPFD_CLOEXEC, 200);  // out of the way of an answer's own files
     close(given);
     return nutshell::exercises::answer_sheet(argv[1]);
 }

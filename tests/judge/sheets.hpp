@@ -1,4 +1,5 @@
-// Compiles a learner's answers into a sheet and lets it answer: the only place where a learner's code is compiled and run.
+// Compiles a learner's answers into a sheet and lets it answer: the only place where a learner's code is
+// compiled and run.
 #pragma once
 #include <optional>
 #include <string>
@@ -10,28 +11,30 @@ namespace nutshell::judge {
 
 /// Why a sheet could not be compiled, in words for the learner.
 struct CompileProblem {
-    std::string where;              ///< "answers/01_newton/nutshell/newton.hpp:58", or empty if it is no line of the learner
-    std::optional<Number> number;   ///< the exercise whose body the line is in
-    std::string message;            ///< what to know, one or two sentences
-    std::string line;               ///< the learner's line itself
-    std::string compiler;           ///< the compiler's own first words on it
-    bool point_mass_only = false;   ///< the step names members that other states do not have
+    std::string
+        where;  ///< "answers/01_newton/nutshell/newton.hpp:58", or empty if it is no line of the learner
+    std::optional<Number> number;  ///< the exercise whose body the line is in
+    std::string message;           ///< what to know, one or two sentences
+    std::string line;              ///< the learner's line itself
+    std::string compiler;          ///< the compiler's own first words on it
+    bool point_mass_only = false;  ///< the step names members that other states do not have
 };
 
 struct Sheet {
     std::filesystem::path program;
     std::optional<CompileProblem> problem;
-    std::vector<std::string> warnings;  ///< on the learner's own lines: "newton.hpp:58: 'x' is used uninitialized"
-    bool compiled = false;              ///< false: it was up to date
+    std::vector<std::string>
+        warnings;           ///< on the learner's own lines: "newton.hpp:58: 'x' is used uninitialized"
+    bool compiled = false;  ///< false: it was up to date
 };
 
 /// What came out of a sheet's pipe.
 struct SheetAnswer {
     Ran ran;
     std::vector<std::vector<double>> outputs;
-    std::optional<Number> unanswered;   ///< the exercise whose body is still the skeleton's
-    std::optional<std::string> threw;   ///< what() of an exception
-    bool ended = false;                 ///< it came to its end in good order
+    std::optional<Number> unanswered;  ///< the exercise whose body is still the skeleton's
+    std::optional<std::string> threw;  ///< what() of an exception
+    bool ended = false;                ///< it came to its end in good order
 };
 
 /// The compiler, its flags and folders for one learner's chapter.

@@ -1,4 +1,5 @@
 #include "text.hpp"
+#include <algorithm>
 #include <cctype>
 #include <fstream>
 #include <iterator>
@@ -10,7 +11,8 @@ namespace nutshell::judge {
 
 std::string read_text(const std::filesystem::path& path) {
     std::ifstream file(path, std::ios::binary);
-    if (!file || std::filesystem::is_directory(path)) throw std::runtime_error("cannot read " + path.string());
+    if (!file || std::filesystem::is_directory(path))
+        throw std::runtime_error("cannot read " + path.string());
     return {std::istreambuf_iterator<char>(file), {}};
 }
 
@@ -105,7 +107,8 @@ bool names(std::string_view code, std::string_view name) {
 }
 
 bool calls(std::string_view code, std::string_view name) {
-    for (std::size_t at = word_at(code, name, 0); at != std::string_view::npos; at = word_at(code, name, at + 1)) {
+    for (std::size_t at = word_at(code, name, 0); at != std::string_view::npos;
+         at = word_at(code, name, at + 1)) {
         std::size_t next = at + name.size();
         while (next < code.size() && code[next] == ' ') ++next;
         if (next < code.size() && (code[next] == '(' || code[next] == '<')) return true;

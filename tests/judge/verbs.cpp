@@ -1,7 +1,10 @@
 // What check and watch print.
 #include <unistd.h>
+#include <algorithm>
+#include <cctype>
 #include <chrono>
 #include <cstdio>
+#include <cstdlib>
 #include <iostream>
 #include <sstream>
 #include <stdexcept>
@@ -29,11 +32,16 @@ std::string padded(const std::string& text, std::size_t width) {
 std::string xml(const std::string& text) {
     std::string safe;
     for (const char c : text) {
-        if (c == '&') safe += "&amp;";
-        else if (c == '<') safe += "&lt;";
-        else if (c == '>') safe += "&gt;";
-        else if (c == '"') safe += "&quot;";
-        else if (static_cast<unsigned char>(c) >= 32 || c == '\n' || c == '\t') safe += c;
+        if (c == '&')
+            safe += "&amp;";
+        else if (c == '<')
+            safe += "&lt;";
+        else if (c == '>')
+            safe += "&gt;";
+        else if (c == '"')
+            safe += "&quot;";
+        else if (static_cast<unsigned char>(c) >= 32 || c == '\n' || c == '\t')
+            safe += c;
     }
     return safe;
 }
@@ -44,11 +52,16 @@ void write_junit(const std::string& file, const std::vector<std::pair<Chapter, s
     for (const auto& [chapter, verdicts] : all) {
         std::size_t failures = 0;
         for (const auto& verdict : verdicts) failures += verdict.outcome != Outcome::passed;
-        text << "  <testsuite name=\"" << chapter.folder << "\" tests=\"" << verdicts.size() << "\" failures=\"" << failures << "\">\n";
+        text << "  <testsuite name=\"" << chapter.folder << "\" tests=\"" << verdicts.size()
+             << "\" failures=\"" << failures << "\">\n";
         for (const auto& verdict : verdicts) {
-            text << "    <testcase classname=\"" << chapter.folder << "\" name=\"" << verdict.number.text() << " " << xml(exercise_of(verdict.number).title) << "\"";
-            if (verdict.outcome == Outcome::passed) text << "/>\n";
-            else text << ">\n      <failure message=\"" << xml(verdict.name) << "\">" << xml(verdict.words) << "</failure>\n    </testcase>\n";
+            text << "    <testcase classname=\"" << chapter.folder << "\" name=\"" << verdict.number.text()
+                 << " " << xml(exercise_of(verdict.number).title) << "\"";
+            if (verdict.outcome == Outcome::passed)
+                text << "/>\n";
+            else
+                text << ">\n      <failure message=\"" << xml(verdict.name) << "\">" << xml(verdict.words)
+                     << "</failure>\n    </testcase>\n";
         }
         text << "  </testsuite>\n";
     }
@@ -59,7 +72,8 @@ void write_junit(const std::string& file, const std::vector<std::pair<Chapter, s
 /// "1.1 is not right yet: multiplied by dt", "1.2 is blocked by 1.1", "1.3: endless loop"
 std::string heading(const Verdict& verdict) {
     const std::string id = verdict.number.text(), wrong = "wrong: ";
-    if (starts_with(verdict.name, wrong)) return id + " is not right yet: " + verdict.name.substr(wrong.size());
+    if (starts_with(verdict.name, wrong))
+        return id + " is not right yet: " + verdict.name.substr(wrong.size());
     if (verdict.name == "does not compile") return id + " does not compile";
     return id + (verdict.outcome == Outcome::blocked ? " is " : ": ") + verdict.name;
 }
@@ -74,37 +88,47 @@ std::vector<Chapter> meant(const Rooms& rooms, const std::string& which) {
     std::string there;
     for (const Chapter& chapter : all) {
         const std::string n = std::to_string(chapter.number);
-        const bool holds = number && std::find(chapter.exercises.begin(), chapter.exercises.end(), *number) != chapter.exercises.end();
+        const bool holds = number && std::find(chapter.exercises.begin(), chapter.exercises.end(), *number) !=
+                                         chapter.exercises.end();
         if (holds || which == n || which == "0" + n || which == chapter.folder) found.push_back(chapter);
-        there += (there.empty() ? "" : ", ") + chapter.exercises.front().text() + " to " + chapter.exercises.back().text();
+        there += (there.empty() ? "" : ", ") + chapter.exercises.front().text() + " to " +
+                 chapter.exercises.back().text();
     }
-    if (found.empty()) throw std::invalid_argument("there is no exercise or chapter '" + which + "'; there are the exercises " + there);
+    if (found.empty())
+        throw std::invalid_argument("there is no exercise or chapter '" + which +
+                                    "'; there are the exercises " + there);
     return found;
 }
 
 int verb_check(const Rooms& rooms, const std::string& which, const std::string& junit) {
     auto chapters = meant(rooms, which);
     if (!fs::exists(rooms.answers)) {
-        std::cerr << "There is no " << rooms.answers.filename().string() << "/ yet. Begin with  ./course start\n";
+        std::cerr << "There is no " << rooms.answers.filename().string()
+                  << "/ yet. Begin with  ./course start\n";
         return 1;
     }
     const auto one = number_of(which);
-    if (which.empty())      // those that were started
-        std::erase_if(chapters, [&](const Chapter& chapter) { return !fs::exists(rooms.answers / chapter.folder); });
-    const Lock lock(rooms.work);     // one judge at a time in a folder of work
-    if (isatty(1) && !fs::exists(rooms.shared / "everywhere.hpp.gch")) std::cout << "The first check takes some seconds longer than the next ones.\n" << std::flush;
+    if (which.empty())  // those that were started
+        std::erase_if(chapters,
+                      [&](const Chapter& chapter) { return !fs::exists(rooms.answers / chapter.folder); });
+    const Lock lock(rooms.work);  // one judge at a time in a folder of work
+    if (isatty(1) && !fs::exists(rooms.shared / "everywhere.hpp.gch"))
+        std::cout << "The first check takes some seconds longer than the next ones.\n" << std::flush;
 
     Progress progress = Progress::read(rooms);
     std::vector<std::pair<Chapter, std::vector<Verdict>>> all;
     const bool colour = isatty(1) && !std::getenv("NO_COLOR");
     for (const Chapter& chapter : chapters) {
-        const auto verdicts = check(rooms, chapter, one ? std::vector<Number>{*one} : chapter.exercises, !junit.empty());
+        const auto verdicts =
+            check(rooms, chapter, one ? std::vector<Number>{*one} : chapter.exercises, !junit.empty());
         std::cout << title_of(chapter) << '\n';
         for (const Verdict& verdict : verdicts) {
-            const bool passed = verdict.outcome == Outcome::passed, quiet = verdict.outcome == Outcome::unanswered;
+            const bool passed = verdict.outcome == Outcome::passed,
+                       quiet = verdict.outcome == Outcome::unanswered;
             const char* mark = passed ? "✓" : quiet ? "·" : "✗";
-            std::cout << (colour && !quiet ? passed ? "\033[32m" : "\033[31m" : "") << "  " << mark << ' ' << padded(verdict.number.text(), 6)
-                      << padded(exercise_of(verdict.number).title, 40) << verdict.name << (colour && !quiet ? "\033[0m" : "") << '\n';
+            std::cout << (colour && !quiet ? passed ? "\033[32m" : "\033[31m" : "") << "  " << mark << ' '
+                      << padded(verdict.number.text(), 6) << padded(exercise_of(verdict.number).title, 40)
+                      << verdict.name << (colour && !quiet ? "\033[0m" : "") << '\n';
             if (passed) progress.entries[verdict.number].passed = true;
         }
         std::cout << std::flush;
@@ -122,7 +146,9 @@ int verb_check(const Rooms& rooms, const std::string& which, const std::string& 
         for (const Verdict& verdict : verdicts) {
             ++count;
             passed += verdict.outcome == Outcome::passed;
-            if (!verdict.words.empty() && (!first || (verdict.outcome == Outcome::not_compiled && first->outcome != Outcome::not_compiled))) first = &verdict;
+            if (!verdict.words.empty() && (!first || (verdict.outcome == Outcome::not_compiled &&
+                                                      first->outcome != Outcome::not_compiled)))
+                first = &verdict;
             if (verdict.outcome == Outcome::unanswered && !next) next = &verdict;
             notes.insert(notes.end(), verdict.notes.begin(), verdict.notes.end());
         }
@@ -139,9 +165,11 @@ int verb_check(const Rooms& rooms, const std::string& which, const std::string& 
         const auto& header = chapter.header_of(next->number);
         const Marked own = marked(own_text(rooms, chapter, header).value_or(""));
         const Body* body = own.body(next->number);
-        std::cout << (passed ? std::to_string(passed) + " of " + std::to_string(count) + " passed. " : "") << "Next: " << id << " "
-                  << exercise_of(next->number).title << ", in\n  " << named(rooms, own_path(rooms, chapter, header))
-                  << (body ? ":" + std::to_string(body->begin + 2) : "") << "\n  Put your answer in place of " << unanswered(next->number) << " and type ./course check " << id << '\n';
+        std::cout << (passed ? std::to_string(passed) + " of " + std::to_string(count) + " passed. " : "")
+                  << "Next: " << id << " " << exercise_of(next->number).title << ", in\n  "
+                  << named(rooms, own_path(rooms, chapter, header))
+                  << (body ? ":" + std::to_string(body->begin + 2) : "") << "\n  Put your answer in place of "
+                  << unanswered(next->number) << " and type ./course check " << id << '\n';
     } else if (one) {
         std::cout << "Another right answer: ./course solution " << one->text();
         if (const auto& exercises = all.front().first.exercises; exercises.back() != *one) {
@@ -151,7 +179,9 @@ int verb_check(const Rooms& rooms, const std::string& which, const std::string& 
         std::cout << '\n';
     } else {
         std::cout << "All " << count << " exercises pass.";
-        for (const auto& [chapter, verdicts] : all) std::cout << " See chapter " << chapter.number << " run on your own answers: ./course run " << chapter.number << " --mine";
+        for (const auto& [chapter, verdicts] : all)
+            std::cout << " See chapter " << chapter.number << " run on your own answers: ./course run "
+                      << chapter.number << " --mine";
         std::cout << '\n';
     }
     return passed == count ? 0 : 1;
@@ -162,24 +192,30 @@ namespace {
 std::string state_of(const fs::path& folder) {
     std::ostringstream state;
     std::error_code problem;
-    for (fs::recursive_directory_iterator at(folder, problem), end; !problem && at != end; at.increment(problem))
+    for (fs::recursive_directory_iterator at(folder, problem), end; !problem && at != end;
+         at.increment(problem))
         if (at->path().extension() == ".hpp" && at->path().parent_path().filename() != "saved")
-            state << at->path().string() << at->last_write_time(problem).time_since_epoch().count() << ' ' << at->file_size(problem) << '\n';
+            state << at->path().string() << at->last_write_time(problem).time_since_epoch().count() << ' '
+                  << at->file_size(problem) << '\n';
     return state.str();
 }
 
 }  // namespace
 
 void verb_watch(const Rooms& rooms, const std::string& which) {
-    for (int file = 3; file < 64; ++file) close(file);      // ./course's lock among them: others may work meanwhile
+    for (int file = 3; file < 64; ++file)
+        close(file);  // ./course's lock among them: others may work meanwhile
     meant(rooms, which);
-    if (!fs::exists(rooms.answers)) throw std::runtime_error("there is no answers/ yet: begin with ./course start");
+    if (!fs::exists(rooms.answers))
+        throw std::runtime_error("there is no answers/ yet: begin with ./course start");
     for (std::string seen;;) {
         const std::string now = state_of(rooms.answers);
         if (now != seen) {
             seen = now;
-            if (isatty(1)) std::cout << "\033[2J\033[H";
-            else std::cout << "----\n";
+            if (isatty(1))
+                std::cout << "\033[2J\033[H";
+            else
+                std::cout << "----\n";
             try {
                 verb_check(rooms, which, "");
             } catch (const std::exception& problem) {

@@ -62,18 +62,22 @@ inline Exercise VelocityBetween::about() {
     return {
         .title = "Velocity from two positions",
         .hints = {"Velocity is how far the body gets in one second. You know how far it gets in dt seconds.",
-                  "Where it is then, less where it was, is the way it went: a vector. How often does dt fit into a second?",
+                  "Where it is then, less where it was, is the way it went: a vector. How often does dt fit "
+                  "into a second?",
                   "The way from the first position to the second one, divided by the time it took."},
         .mistakes =
             {{"the way, not the velocity", "classic: moving by frames",
               "The game runs twice as fast on a screen with twice the frames.",
-              "You return how far the body moved in this interval; a velocity is that per second, so the time it took must enter.",
+              "You return how far the body moved in this interval; a velocity is that per second, so the "
+              "time it took must enter.",
               attempt<VelocityBetween>(NUTSHELL_CALL(mistakes::displacement_for_velocity))},
              {"multiplied by dt", "classic", "Almost nothing moves, and the shorter the frame the less.",
-              "You multiply the way by dt. A shorter time for the same way means a higher velocity, so dt belongs below the line.",
+              "You multiply the way by dt. A shorter time for the same way means a higher velocity, so dt "
+              "belongs below the line.",
               attempt<VelocityBetween>(NUTSHELL_CALL(mistakes::velocity_times_dt))},
              {"backwards in time", "classic", "Everything flies backwards.",
-              "You take the old position less the new one. The way goes from the old position to the new one: new less old.",
+              "You take the old position less the new one. The way goes from the old position to the new "
+              "one: new less old.",
               attempt<VelocityBetween>(NUTSHELL_CALL(mistakes::velocity_backwards))},
              {"two steps where there is one", "classic: the central difference",
               "Everything moves at half its speed.",

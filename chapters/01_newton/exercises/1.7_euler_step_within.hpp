@@ -21,7 +21,8 @@ struct EulerStepWithin {
 
   private:
     template <class Answer>
-    static void ask_one(Paper& paper, const Answer& answer, double tolerance, const Vector3& acceleration, double duration) {
+    static void ask_one(Paper& paper, const Answer& answer, double tolerance, const Vector3& acceleration,
+                        double duration) {
         paper.input("tolerance", tolerance, "acceleration", acceleration, "duration", duration);
         const double step = answer(tolerance, acceleration, duration);
         const double pull = acceleration.norm() * duration;
@@ -88,35 +89,49 @@ namespace nutshell::exercises {
 inline Exercise EulerStepWithin::about() {
     return {
         .title = "The step that meets a tolerance",
-        .hints = {"Exercise 1.6 gives the error from the step. Here the error is given and the step is asked for.",
-                  "Set the length of Euler's error equal to the tolerance and solve for dt. That is the largest step, but it need not divide the duration.",
-                  "How many steps of the largest size fill the duration? Round that number up, but never below one; the duration divided by it is the answer."},
+        .hints =
+            {"Exercise 1.6 gives the error from the step. Here the error is given and the step is asked for.",
+             "Set the length of Euler's error equal to the tolerance and solve for dt. That is the largest "
+             "step, but it need not divide the duration.",
+             "How many steps of the largest size fill the duration? Round that number up, but never below "
+             "one; the duration divided by it is the answer."},
         .mistakes =
             {{"half the step", "classic: the 2 lost", "The game makes twice the steps it needs.",
               "The error is a T dt/2: solved for dt there is a 2 above the line.",
               attempt<EulerStepWithin>(NUTSHELL_CALL(mistakes::step_without_half))},
-             {"a step that does not divide the duration", "classic", "The last step jumps beyond the end, or stops short of it.",
-              "The largest step is right, but a whole number of steps must fill the duration. Round the number of steps up.",
+             {"a step that does not divide the duration", "classic",
+              "The last step jumps beyond the end, or stops short of it.",
+              "The largest step is right, but a whole number of steps must fill the duration. Round the "
+              "number of steps up.",
               attempt<EulerStepWithin>(NUTSHELL_CALL(mistakes::step_not_dividing))},
-             {"rounded to the nearest number of steps", "classic", "Now and then the error is a little above the tolerance.",
-              "You round the number of steps to the nearest. When that is down, the step is too large: round up.",
+             {"rounded to the nearest number of steps", "classic",
+              "Now and then the error is a little above the tolerance.",
+              "You round the number of steps to the nearest. When that is down, the step is too large: round "
+              "up.",
               attempt<EulerStepWithin>(NUTSHELL_CALL(mistakes::step_rounded_to_nearest))},
              {"rounded the wrong way", "classic", "The error is always a little above the tolerance.",
-              "You round the number of steps down, so the step becomes too large. Fewer steps are larger steps: round up.",
+              "You round the number of steps down, so the step becomes too large. Fewer steps are larger "
+              "steps: round up.",
               attempt<EulerStepWithin>(NUTSHELL_CALL(mistakes::step_rounded_up))},
-             {"the error of one step only", "E04: local for global error", "The ball misses by far more than the tolerance.",
-              "You ask that a single step stays within the tolerance (a dt^2/2). The errors of all T/dt steps add up to a T dt/2, and that must stay within it.",
+             {"the error of one step only", "E04: local for global error",
+              "The ball misses by far more than the tolerance.",
+              "You ask that a single step stays within the tolerance (a dt^2/2). The errors of all T/dt "
+              "steps add up to a T dt/2, and that must stay within it.",
               attempt<EulerStepWithin>(NUTSHELL_CALL(mistakes::step_from_local_error))},
-             {"a duration without steps", "classic: division by zero", "With a weak force, or none, the step is infinite and every number after it is lost.",
-              "When there is no force, the number of steps comes out as zero and you divide by it. There is always at least one step.",
+             {"a duration without steps", "classic: division by zero",
+              "With a weak force, or none, the step is infinite and every number after it is lost.",
+              "When there is no force, the number of steps comes out as zero and you divide by it. There is "
+              "always at least one step.",
               attempt<EulerStepWithin>(NUTSHELL_CALL(mistakes::step_may_be_none))},
              {"one component for the length", "classic", "A slanted pull misses by more than the tolerance.",
-              "You use the largest component of the acceleration. The error is a vector along it, so its length is what must stay within the tolerance.",
+              "You use the largest component of the acceleration. The error is a vector along it, so its "
+              "length is what must stay within the tolerance.",
               attempt<EulerStepWithin>(NUTSHELL_CALL(mistakes::step_of_largest_component))},
              {"the duration left out", "classic", "A short throw meets the tolerance, a long one does not.",
               "The error grows with the duration (a T dt/2), so the largest step must shrink with it.",
               attempt<EulerStepWithin>(NUTSHELL_CALL(mistakes::step_without_duration))}},
-        .alternatives = {{"by trying", attempt<EulerStepWithin>(NUTSHELL_CALL(alternatives::step_by_trying))}},
+        .alternatives = {{"by trying",
+                          attempt<EulerStepWithin>(NUTSHELL_CALL(alternatives::step_by_trying))}},
     };
 }
 

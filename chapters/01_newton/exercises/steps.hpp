@@ -40,7 +40,8 @@ void ask_step(Paper& paper, const Answer& answer, double drag) {
     const Tether tether{drag};
     const PointMass body{2.5, {1.1, -0.8, 0.6}, {0.7, 1.3, -0.9}};
     const Vector3 gain = tether(body, t) / body.mass * dt;
-    paper.input("a point mass, mass", body.mass, "position", body.position, "velocity", body.velocity, "t", t, "dt", dt);
+    paper.input("a point mass, mass", body.mass, "position", body.position, "velocity", body.velocity, "t", t,
+                "dt", dt);
     const PointMass moved = answer(body, tether, t, dt);
     paper.output("the position [m]", moved.position, body.position, body.velocity * dt, gain * dt);
     paper.output("the velocity [m/s]", moved.velocity, body.velocity, gain);
@@ -50,15 +51,18 @@ void ask_step(Paper& paper, const Answer& answer, double drag) {
     const int steps = static_cast<int>(std::lround(1 / paper.step(1.0 / 64)));
     paper.input("the planet's orbit for 1 unit of time, steps", steps);
     PointMass orbiting = planet.start;
-    for (int i = 0; i < steps; ++i) orbiting = answer(orbiting, planet, i / static_cast<double>(steps), 1.0 / steps);
-    paper.run("the planet's position at the end [a]", orbiting.position, planet.exact(1).position, planet.start.position);
+    for (int i = 0; i < steps; ++i)
+        orbiting = answer(orbiting, planet, i / static_cast<double>(steps), 1.0 / steps);
+    paper.run("the planet's position at the end [a]", orbiting.position, planet.exact(1).position,
+              planet.start.position);
 
-#ifndef NUTSHELL_ONE_STATE      // defined when a learner's step moves a PointMass only
+#ifndef NUTSHELL_ONE_STATE  // defined when a learner's step moves a PointMass only
     if (!paper.other_states()) return;
     const Sledge sledge{2.5, body.position, body.mass * body.velocity};
     paper.input("a state of another type, with its own drift and kick, dt", dt);
     const Sledge slid = answer(sledge, tether, t, dt);
-    paper.output("the other state's position [m]", slid.position, body.position, body.velocity * dt, gain * dt);
+    paper.output("the other state's position [m]", slid.position, body.position, body.velocity * dt,
+                 gain * dt);
     paper.output("the other state's momentum [kg m/s]", slid.momentum, sledge.momentum, gain * body.mass);
 #endif
 }
