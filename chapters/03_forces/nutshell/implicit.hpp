@@ -28,11 +28,10 @@ SquareOf<Flat> jacobian(const Rate& flow, const Flat& y, const Flat& rate, doubl
 // [/jacobian]
 
 // [implicit_euler]
-/// One step of implicit Euler: the z that solves z = y + dt flow(z, t + dt), by Newton's
-/// method. First order; damps an undamped spring by 1/(1 + (omega dt)^2) of its energy a step,
-/// at any step. The plain repetition z
-/// <- y + dt flow(z) would diverge beyond omega dt = 1; Newton's method does not.
-/// @throws std::runtime_error if 50 turns do not reach round-off
+/// One step of implicit Euler: the z that solves z = y + dt flow(z, t + dt), by Newton's method.
+/// First order; leaves an undamped spring 1/(1 + (omega dt)^2) of its energy a step, at any step.
+/// Putting z back into the right side until it stays would diverge beyond omega dt = 1; Newton's
+/// method does not. @throws std::runtime_error if 50 turns do not reach round-off
 template <class Flat, class Rate>
 Flat implicit_euler(const Flat& y, const Rate& flow, double t, double dt) {
     Flat z = y;
