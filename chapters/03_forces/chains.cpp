@@ -1,6 +1,7 @@
 // A chain and a cloth: how they hang, how close that is to the exact shape, and the step at which they fly
 // apart.
 #include <nutshell/chain_scenes.hpp>
+#include <nutshell/forces_methods.hpp>
 #include <nutshell/hanging_chain.hpp>
 #include <nutshell/lab/chart.hpp>
 #include <nutshell/lab/run.hpp>
@@ -13,10 +14,6 @@ namespace nutshell {
 namespace pic = picture;
 
 namespace {
-
-constexpr auto semi_implicit = [](Particles all, const auto& scene, double t, double dt) {
-    return semi_implicit_euler(std::move(all), scene, t, dt);
-};
 
 // --- the chain
 // -----------------------------------------------------------------------------------------------------
@@ -97,7 +94,7 @@ void hang_a_chain(lab::Report& report) {
     SpringNet net = nutshell::chain(chain.masses, chain.mass, chain.link, {0, 0, 0}, {2, 0, 0});
     net.drag = 0.4, net.duration = 40;
     constexpr long steps = 20'000;
-    const Particles hung = lab::run(net, semi_implicit, steps);
+    const Particles hung = lab::run(net, semi_implicit_euler_method, steps);
     const auto exact = rest_shape(chain);
     double error = 0;
     lab::Table shape{{"point", "x_m", "y_m", "exact_x_m", "exact_y_m"}, {}};
@@ -163,18 +160,53 @@ SpringNet shaken(SpringNet net, double speed) {
     return net;
 }
 
-/// The largest step at which Verlet does not let a small shake grow, by bisection.
-double measured_limit(const SpringNet& net, double expected) {
-    const auto fastest = [](const Particles& all) {
-        double most = 0;
-        for (std::size_t i = 0; i < all.size(); ++i) most = std::max(most, all.velocity[i].norm());
-        return most;
-    };
-    const SpringNet small = shaken(net, 1e-9);
+double fastest_speed(const Particles& all) {
+    double most = 0;
+    for (std::size_t i = 0; i < all.size(); ++i) most = std::max(most, all.velocity[i].norm());
+    return most;
+}
+double fastest_speed(const Vector& y) {
+    return y.tail(y.size() / 2).lpNorm<Eigen::Infinity>();
+}
+
+/// The largest step at which a method does not let a small shake grow, by bisection.
+template <class Scene, class Method>
+double measured_limit(const Scene& small, const Method& method, double expected) {
     const auto stable = [&](double dt) {
-        return lab::stays_within(small, VerletFsal<ForceArrays>{}, dt, 1000, 1e-6, fastest);
+        return lab::stays_within(small, method, dt, 1000, 1e-6,
+                                 [](const auto& s) { return fastest_speed(s); });
     };
     return lab::stability_limit(stable, 0.8 * expected, 1.2 * expected, 1e-4);
+}
+
+/// Every conditionally stable method on a chain and a cloth, as omega dt with omega of the fastest mode.
+void limits_of_methods(lab::Report& report, const SpringNet& a_chain, const SpringNet& a_cloth) {
+    lab::Table table{{"method", "predicted", "found on the chain", "found on the cloth"}, {}};
+    const double chain_omega = fastest_mode(a_chain, a_chain.start).frequency;
+    const double cloth_omega = fastest_mode(a_cloth, a_cloth.start).frequency;
+    const auto line = [&](const std::string& name, const std::string& word, double theta, const auto& found) {
+        const double on_chain = chain_omega * found(a_chain, theta / chain_omega);
+        const double on_cloth = cloth_omega * found(a_cloth, theta / cloth_omega);
+        table.add({name, lab::rounded(theta, "%.4f"), lab::rounded(on_chain, "%.4f"),
+                   lab::rounded(on_cloth, "%.4f")});
+        report.number("net_limit." + word + ".predicted", theta);
+        report.number("net_limit." + word + ".chain", on_chain);
+        report.number("net_limit." + word + ".cloth", on_cloth);
+    };
+    const auto runs = [](const auto& method) {
+        return [method](const SpringNet& net, double dt) {
+            return measured_limit(shaken(net, 1e-9), method, dt);
+        };
+    };
+    line("semi-implicit Euler", "semi_implicit_euler", 2, runs(semi_implicit_euler_method));
+    line("Verlet", "verlet", 2, runs(VerletFsal<ForceArrays>{}));
+    line("Yoshida 4", "yoshida4", composed_limit(yoshida_weights()), runs(yoshida4<ForceArrays>()));
+    line("Kahan-Li 8", "kahan_li8", composed_limit(kahan_li_weights()), runs(kahan_li8<ForceArrays>()));
+    line("RK4", "rk4", std::sqrt(8.0), [](const SpringNet& net, double dt) {
+        return measured_limit(NetFlow(shaken(net, 1e-9)), rk4_method, dt);
+    });
+    report.print(table);
+    report.data("net_methods.csv", table);
 }
 
 void find_limits(lab::Report& report) {
@@ -184,7 +216,7 @@ void find_limits(lab::Report& report) {
     const auto line = [&](const std::string& name, const std::string& word, const SpringNet& net,
                           double fastest) {
         const double formula = 2 / fastest, mode = 2 / fastest_mode(net, net.start).frequency,
-                     measured = measured_limit(net, formula);
+                     measured = measured_limit(shaken(net, 1e-9), VerletFsal<ForceArrays>{}, formula);
         table.add({name, lab::rounded(formula, "%.6f"), lab::rounded(mode, "%.6f"),
                    lab::rounded(measured, "%.6f"), lab::rounded(measured / formula, "%.4f")});
         report.number("net_limit." + word + ".formula", formula, "s");
@@ -207,6 +239,8 @@ void find_limits(lab::Report& report) {
     }
     report.print(table);
     report.data("chain_cloth_limits.csv", table);
+    limits_of_methods(report, chain(10, mass, {stiffness, 0.1}, {0, 0, 0}, {1.1, 0, 0}),
+                      cloth(24, 1, mass * 24 * 24, stiffness, Weave::with_shear_and_bend));
 }
 
 // --- the cloth
@@ -265,7 +299,7 @@ void hang_a_cloth(lab::Report& report) {
         net.start.position.x[i] *= narrower;
         net.start.position.z[i] += 0.3 * std::sin(pi * across) + 0.03 * std::sin(3 * pi * across);
     }
-    net.start = lab::run(net, semi_implicit, std::lround(net.duration / settle_dt));
+    net.start = lab::run(net, semi_implicit_euler_method, std::lround(net.duration / settle_dt));
     double speed = 0;
     for (std::size_t i = 0; i < net.start.size(); ++i) speed = std::max(speed, net.start.velocity[i].norm());
     report.number("cloth.rest_speed", speed, "m/s");

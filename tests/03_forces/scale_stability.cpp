@@ -1,54 +1,13 @@
 // How large a step a chain and a cloth bear: by formula, by the fastest mode, and by running the method; 1 %
 // apart at most, stable at 0.99 of the limit and unstable at 1.01.
-#include <nutshell/compositions.hpp>
+#include <nutshell/forces_methods.hpp>
 #include <nutshell/lab/run.hpp>
-#include <nutshell/runge_kutta.hpp>
 #include <nutshell/spring_limits.hpp>
 #include "check.hpp"
 
 using namespace nutshell;
 
 namespace {
-
-struct SemiImplicit {
-    template <class State, class Forces>
-    State operator()(State state, const Forces& forces, double t, double dt) const {
-        return semi_implicit_euler(std::move(state), forces, t, dt);
-    }
-};
-struct RungeKutta4 {
-    template <class Flat, class Flow>
-    Flat operator()(Flat y, const Flow& flow, double t, double dt) const {
-        return rk4(std::move(y), flow, t, dt);
-    }
-};
-
-/// The net as a flow y' = f(t, y) for RK4.
-struct NetFlow {
-    SpringNet net;
-    Vector start = flat(net.start);
-    explicit NetFlow(const SpringNet& of) : net(of) {}
-    Vector operator()(const Vector& y, double t) const {
-        const Particles all = unflat(y, net.start);
-        return rate(all, net(all, t));
-    }
-};
-
-/// Yoshida's limit on one spring, from the matrices of its verbs: the step's determinant is 1, so it is
-/// stable while its trace is between -2 and 2.
-double yoshida_limit() {
-    const auto trace = [](double theta) {
-        Eigen::Matrix2d step = Eigen::Matrix2d::Identity();
-        for (const double w : yoshida_weights()) {
-            const Eigen::Matrix2d kick{{1, 0}, {-w * theta / 2, 1}}, drift{{1, w * theta}, {0, 1}};
-            step = kick * drift * kick * step;
-        }
-        return step.trace();
-    };
-    double theta = 0.1;
-    while (std::abs(trace(theta)) <= 2) theta += 1e-5;
-    return theta;
-}
 
 /// A small shift of every particle in the plane of the net, that has a little of every mode.
 SpringNet shaken(SpringNet net) {
@@ -96,7 +55,7 @@ void check_limit(const Scene& scene, const Method& method, double expected) {
 }  // namespace
 
 TEST_CASE("Chain: the closed forms are the fastest mode, and every method breaks at its theta over it") {
-    const double mass = 0.2, stiffness = 50, gap = 0.1, theta4 = yoshida_limit();
+    const double mass = 0.2, stiffness = 50, gap = 0.1, theta4 = composed_limit(yoshida_weights());
     CHECK(std::abs(theta4 - 1.5734) < 1e-4);
     for (const bool free : {false, true})
         for (const std::size_t masses : std::vector<std::size_t>{1, 2, 5, 24}) {
@@ -106,10 +65,11 @@ TEST_CASE("Chain: the closed forms are the fastest mode, and every method breaks
             const double fastest = chain_frequency(masses, mass, stiffness, free);
             INFO(masses << " masses, one end free: " << free << ", fastest " << fastest << " rad/s");
             CHECK(std::abs(fastest_mode(net, net.start).frequency / fastest - 1) < 1e-6);
-            check_limit(net, SemiImplicit{}, 2 / fastest);
+            check_limit(net, semi_implicit_euler_method, 2 / fastest);
             check_limit(net, VerletFsal<ForceArrays>{}, 2 / fastest);
             check_limit(net, yoshida4<ForceArrays>(), theta4 / fastest);
-            check_limit(NetFlow(net), RungeKutta4{}, std::sqrt(8.0) / fastest);
+            check_limit(net, kahan_li8<ForceArrays>(), composed_limit(kahan_li_weights()) / fastest);
+            check_limit(NetFlow(net), rk4_method, std::sqrt(8.0) / fastest);
         }
 }
 
@@ -122,10 +82,59 @@ TEST_CASE("Cloth of 24 x 24: the endless cloth's fastest wave, the fastest mode 
     const double fastest = cloth_frequency(net.springs.kinds, each);
     CHECK(std::abs(2 / fastest / structural - in_structural_steps) < 5e-4);  // the figures as printed
     CHECK(std::abs(fastest_mode(net, net.start).frequency / fastest - 1) < 0.01);
-    check_limit(net, SemiImplicit{}, 2 / fastest);
+    check_limit(net, semi_implicit_euler_method, 2 / fastest);
     check_limit(net, VerletFsal<ForceArrays>{}, 2 / fastest);
-    check_limit(net, yoshida4<ForceArrays>(), yoshida_limit() / fastest);
-    check_limit(NetFlow(net), RungeKutta4{}, std::sqrt(8.0) / fastest);
+    check_limit(net, yoshida4<ForceArrays>(), composed_limit(yoshida_weights()) / fastest);
+    check_limit(net, kahan_li8<ForceArrays>(), composed_limit(kahan_li_weights()) / fastest);
+    check_limit(NetFlow(net), rk4_method, std::sqrt(8.0) / fastest);
+}
+
+namespace {
+
+/// A net at rest whose particles move in its fastest mode, a little.
+SpringNet in_fastest_mode(SpringNet net, double speed = 1e-7) {
+    net.g = 0;
+    const Mode mode = fastest_mode(net, net.start);
+    for (std::size_t i = 0; i < net.start.size(); ++i) net.start.velocity.set(i, speed * mode.shape[i]);
+    return net;
+}
+
+/// What a step multiplies the energy by: the twentieth root of what twenty steps do.
+template <class Method>
+double energy_factor(const SpringNet& net, const Method& method, double dt) {
+    const NetFlow flow(net);
+    Vector y = flow.start;
+    for (int n = 0; n < 20; ++n) y = method(y, flow, n * dt, dt);
+    return std::pow(net.energy(unflat(y, net.start)) / net.energy(net.start), 1.0 / 20);
+}
+
+}  // namespace
+
+TEST_CASE(
+    "Chain and cloth: Euler and midpoint are never stable, and the fastest mode grows as one spring does") {
+    const double theta = GENERATE(0.05, 0.3, 1.);
+    for (const SpringNet& net : {in_fastest_mode(chain(10, 0.2, {50, 0.1}, {0, 0, 0}, {1.1, 0, 0})),
+                                 in_fastest_mode(cloth(5, 1, 0.5, 30, Weave::with_shear_and_bend))}) {
+        const double dt = theta / fastest_mode(net, net.start).frequency;
+        const auto euler_flow = [](const Vector& y, const NetFlow& flow, double t, double step) {
+            return Vector(y + step * flow(y, t));
+        };
+        INFO(net.name << ", theta " << theta);
+        CHECK(std::abs(energy_factor(net, euler_flow, dt) - (1 + theta * theta)) < 1e-5);
+        CHECK(std::abs(energy_factor(net, explicit_midpoint_method, dt) - (1 + std::pow(theta, 4) / 4)) <
+              1e-5);
+    }
+}
+
+TEST_CASE("Chain and cloth: the implicit methods are stable far beyond every limit") {
+    for (const SpringNet& net : {in_fastest_mode(chain(10, 0.2, {50, 0.1}, {0, 0, 0}, {1.1, 0, 0})),
+                                 in_fastest_mode(cloth(4, 1, 0.5, 30, Weave::with_shear_and_bend))}) {
+        const double theta = 100, dt = theta / fastest_mode(net, net.start).frequency;
+        INFO(net.name);
+        CHECK(std::abs(energy_factor(net, implicit_euler_method, dt / 100) - 1 / (1 + 1.0)) < 1e-4);
+        CHECK(energy_factor(net, implicit_euler_method, dt) < 0.5);
+        CHECK(std::abs(energy_factor(net, implicit_midpoint_method, dt) - 1) < 1e-4);
+    }
 }
 
 TEST_CASE("A hanging cloth: its own fastest mode, linearised at rest, says where Verlet breaks") {
@@ -134,7 +143,7 @@ TEST_CASE("A hanging cloth: its own fastest mode, linearised at rest, says where
     for (std::size_t i = 0; i < net.start.size(); ++i)
         net.start.position.z[i] = 0.01 * std::sin(static_cast<double>(i));
     for (const std::size_t i : net.held) net.start.position.z[i] = 0;
-    net.start = lab::run(net, SemiImplicit{},
+    net.start = lab::run(net, semi_implicit_euler_method,
                          20000);  // flat it would be pushed together; it folds, and comes to rest
     REQUIRE(fastest_speed(net.start) < 1e-9);
     net.drag = 0;

@@ -6,6 +6,7 @@
 // up to theta / (fastest omega).
 #pragma once
 #include <nutshell/chain_scenes.hpp>
+#include <nutshell/compositions.hpp>
 
 namespace nutshell {
 
@@ -21,6 +22,28 @@ inline double chain_frequency(std::size_t masses, double mass, double stiffness,
     return 2 * std::sqrt(stiffness / mass) * std::sin(angle);
 }
 // [/chain_frequency]
+
+// [composed_limit]
+/// The largest theta = omega dt a composition of Verlets bears on one spring: 2 for Verlet
+/// itself. Its step is a matrix of determinant 1, so both eigenvalues lie on the unit circle
+/// while the trace is between -2 and 2.
+/// @param weights  as of yoshida_weights(), kahan_li_weights()
+template <std::size_t Count>
+double composed_limit(const std::array<double, Count>& weights) {
+    const auto trace = [&](double theta) {
+        Eigen::Matrix2d step = Eigen::Matrix2d::Identity();
+        for (const double w : weights) {
+            const Eigen::Matrix2d kick{{1, 0}, {-w * theta / 2, 1}},
+                drift{{1, w * theta}, {0, 1}};
+            step = kick * drift * kick * step;
+        }
+        return step.trace();
+    };
+    double theta = 0;
+    while (std::abs(trace(theta + 1e-5)) <= 2 + 1e-12) theta += 1e-5;
+    return theta;
+}
+// [/composed_limit]
 
 // [cloth_frequency]
 /// The fastest angular frequency [rad/s] of an endless, flat, unstressed grid of springs between
@@ -48,6 +71,21 @@ inline double cloth_frequency(const std::vector<GridSpring>& kinds, double mass,
     return std::sqrt(fastest);
 }
 // [/cloth_frequency]
+
+// [net_flow]
+/// A net as the general-purpose methods see it: y' = flow(y, t), with y all positions and
+/// velocities in one list.
+struct NetFlow {
+    SpringNet net;
+    Vector start = flat(net.start);
+
+    explicit NetFlow(const SpringNet& of) : net(of) {}
+    Vector operator()(const Vector& y, double t) const {
+        const Particles all = unflat(y, net.start);
+        return rate(all, net(all, t));
+    }
+};
+// [/net_flow]
 
 // [fastest_mode]
 /// The fastest mode of a net of springs near a state, found by multiplying a random shift by the
