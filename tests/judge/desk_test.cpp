@@ -158,7 +158,7 @@ TEST_CASE("Every verb answers bad arguments with one line and a code") {
     }
 }
 
-TEST_CASE("--junit writes what a grader reads") {
+TEST_CASE("A grader's report, --junit, holds every exercise") {
     const Learner learner("junit");
     learner.answer(first, right);
     learner.answer({1, 2}, "    return Vector3::Zero();");
@@ -171,7 +171,7 @@ TEST_CASE("--junit writes what a grader reads") {
     CHECK_THAT(text, ContainsSubstring("<failure message=\"not answered yet\">"));
 }
 
-TEST_CASE("--junit judges the others when one answer does not compile") {
+TEST_CASE("A grader's report judges the others when one answer does not compile") {
     const Learner learner("isolation");
     learner.answer(first, right);
     learner.answer({1, 2}, "    return nothing_at_all;");

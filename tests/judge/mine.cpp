@@ -88,6 +88,15 @@ int verb_mine(const Rooms& rooms, const std::string& which, const fs::path& want
             if (!own)
                 for (const Body& body : header.reference.bodies) stock.reference.push_back(body.number);
         }
+        // headers that the learner added are found beside them
+        const fs::path added = rooms.answers / each.folder / "nutshell";
+        if (fs::is_directory(added))
+            for (const auto& entry : fs::directory_iterator(added))
+                if (const fs::path name = fs::path("nutshell") / entry.path().filename();
+                    entry.is_regular_file() &&
+                    std::none_of(each.headers.begin(), each.headers.end(),
+                                 [&](const auto& header) { return header.path == name; }))
+                    write_if_changed(fs::path(CONFIG_MINE) / each.folder / name, read_text(entry.path()));
         if (!stock.own.empty()) std::cout << "Yours: " << ranges(stock.own) << ". ";
         if (!stock.reference.empty())
             std::cout << (stock.own.empty() ? "None is yours: the" : "The") << " reference stands in for "

@@ -30,7 +30,8 @@ TEST_CASE("run --mine: the numbers follow the answer, and the reference stands i
     CHECK(ran.exit_code == 1);
     CHECK_THAT(ran.err, ContainsSubstring("your answer to 1.3 cannot be run: endless loop"));
 
-    // semi-implicit Euler in place of Euler: where Euler is g T dt/2 too high, it is as much too low
+    // semi-implicit Euler in place of Euler, by a header of the learner's own: where Euler is g T dt/2 too
+    // high, it is as much too low
     learner.answer({1, 3},
                    "    kick(state, forces(state, t), dt);\n    drift(state, dt);\n    return state;");
     ran = run_mine();
