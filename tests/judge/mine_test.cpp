@@ -30,10 +30,15 @@ TEST_CASE("run --mine: the numbers follow the answer, and the reference stands i
     CHECK(ran.exit_code == 1);
     CHECK_THAT(ran.err, ContainsSubstring("your answer to 1.3 cannot be run: endless loop"));
 
-    // semi-implicit Euler in place of Euler, by a header of the learner's own: where Euler is g T dt/2 too
+    // semi-implicit Euler in place of Euler, with a header of the learner's own: where Euler is g T dt/2 too
     // high, it is as much too low
+    write_text(learner.file({1, 3}).parent_path() / "my_step.hpp",
+               "#pragma once\ntemplate <class State>\nvoid my_drift(State& state, double dt) {\n"
+               "    drift(state, dt);\n}\n");
+    learner.replace({1, 3}, "// [euler]\n",
+                    "}\n#include <nutshell/my_step.hpp>\nnamespace nutshell {\n// [euler]\n");
     learner.answer({1, 3},
-                   "    kick(state, forces(state, t), dt);\n    drift(state, dt);\n    return state;");
+                   "    kick(state, forces(state, t), dt);\n    my_drift(state, dt);\n    return state;");
     ran = run_mine();
     INFO(ran.out << ran.err);
     REQUIRE(ran.exit_code == 0);
