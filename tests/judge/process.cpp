@@ -41,8 +41,8 @@ struct Pipe {
     }
 };
 
-void limit(int which, rlim_t value) {
-    const rlimit both{value, value};
+void limit(int which, rlim_t value, rlim_t grace = 0) {
+    const rlimit both{value, value + grace};
     setrlimit(static_cast<__rlimit_resource>(which), &both);
 }
 
@@ -52,7 +52,7 @@ void limit(int which, rlim_t value) {
     signal(SIGPIPE, SIG_DFL);
     signal(SIGINT, SIG_DFL);
     limit(RLIMIT_CORE, 0);
-    if (limits.cpu_seconds) limit(RLIMIT_CPU, limits.cpu_seconds);
+    if (limits.cpu_seconds) limit(RLIMIT_CPU, limits.cpu_seconds, 1);  // SIGXCPU, and a second later SIGKILL
     if (limits.memory) limit(RLIMIT_AS, limits.memory);
     const int nothing = open("/dev/null", O_RDONLY);
     // first out of the way of 0..3, then into place
@@ -143,9 +143,7 @@ Ran run(const std::vector<std::string>& words, const Limits& limits) {
         ran.exit_code = WEXITSTATUS(status);
     else
         ran.signal = WTERMSIG(status);
-    if (ran.signal == SIGXCPU ||
-        (ran.signal == SIGKILL && !killed && limits.cpu_seconds && ran.seconds >= limits.cpu_seconds))
-        ran.out_of_time = true;
+    if (ran.signal == SIGXCPU) ran.out_of_time = true;
     return ran;
 }
 

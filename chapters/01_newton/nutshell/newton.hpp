@@ -160,8 +160,8 @@ inline double euler_step_within(double tolerance, const Vector3& acceleration,
     require_positive(tolerance, "euler_step_within: tolerance [m]");
     require_positive(duration, "euler_step_within: duration [s]");
     // exercise 1.7
-    const double largest = 2 * tolerance / (acceleration.norm() * duration);
-    return duration / std::max(1.0, std::ceil(duration / largest));
+    const double steps = std::ceil(acceleration.norm() * duration * duration / (2 * tolerance));
+    return duration / std::max(1.0, steps);
     // end 1.7
 }
 // [/laws]
