@@ -147,7 +147,7 @@ TEST_CASE(
         {"```{region=\"src/lost.hpp#step\"}\n```", "there is no file src/lost.hpp"},
         {"![Lost.](lost.png){#fig:lost}", "picture lost.png: there is no 01_first/lost.png: draw it"},
         {"![Gone.](gone.png){#fig:gone}", "picture gone.png: there is no 01_first/gone.png"},
-        {"![Dark.](dark.svg){#fig:darkchart}", "picture dark.svg: there is no 01_first/dark.svg"},
+        {"![Lost.](lost.svg){#fig:lostchart}", "picture lost.svg: there is no 01_first/lost.svg"},
         {"Text ![in text](planet.png) is no figure.", "shares its paragraph with text"},
         {"![](planet.png){#fig:mute}", "a numbered figure has a caption"},
         {"::: {#eq:7star}\n$$ a = b $$\n:::", "equation (7*) is a corrected one: say which erratum"},
