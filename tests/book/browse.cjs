@@ -140,7 +140,10 @@ async function main() {
 }
 
 const clean_up = code => {
-    chromium.once('exit', () => { fs.rmSync(profile, {recursive: true, force: true, maxRetries: 5}); process.exit(code); });
+    chromium.once('exit', () => {       // its helpers may still be writing for a moment; what stays in /tmp is no complaint
+        try { fs.rmSync(profile, {recursive: true, force: true, maxRetries: 20, retryDelay: 100}); } catch { }
+        process.exit(code);
+    });
     chromium.kill();
 };
 const limit = setTimeout(() => { console.log('the browser did not answer in 4 minutes'); clean_up(1); }, 240000);

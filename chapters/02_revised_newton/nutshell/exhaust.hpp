@@ -25,7 +25,7 @@ struct Weights {
 inline void drift(RocketAndExhaust& all, double dt) {
     for (Particle& parcel : all.exhaust) drift(parcel, dt);
     Particle& rocket = all.rocket;
-    const Flow& flow = all.rocket.flow;
+    const MassFlow& flow = all.rocket.flow;
     drift(rocket, dt / 2);
     const double dm = flow.rate * dt;
     Particle parcel = eject(rocket, -dm, relative_velocity(flow, rocket, dm));

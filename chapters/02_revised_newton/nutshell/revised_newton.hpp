@@ -126,14 +126,14 @@ enum class RelativeTo {
 };
 
 /// A steady exchange of mass with the surroundings.
-struct Flow {
+struct MassFlow {
     double rate = 0;                     ///< dm/dt of the body [kg/s], negative if it loses mass
     Vector3 velocity = Vector3::Zero();  ///< of the exchanged mass [m/s], world axes
     RelativeTo relative_to = RelativeTo::body;
 };
 
 /// Velocity of the exchanged mass relative to the body before dm kilograms are exchanged [m/s].
-inline Vector3 relative_velocity(const Flow& flow, const Particle& body, double dm) {
+inline Vector3 relative_velocity(const MassFlow& flow, const Particle& body, double dm) {
     if (flow.relative_to == RelativeTo::world) return flow.velocity - velocity(body);
     if (flow.relative_to == RelativeTo::midway) return midway(body.mass, dm, flow.velocity);
     return flow.velocity;
@@ -141,7 +141,7 @@ inline Vector3 relative_velocity(const Flow& flow, const Particle& body, double 
 
 /// A particle whose mass changes.
 struct VariableMass : Particle {
-    Flow flow;
+    MassFlow flow;
 };
 
 /// Drift of a particle whose mass changes: half the way with the mass it has, the exchange,

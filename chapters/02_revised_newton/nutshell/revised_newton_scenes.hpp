@@ -38,7 +38,7 @@ struct MomentumThrow {
 struct LeakyCart {
     std::string name = "leaky_cart";
     VariableMass start{{2, {0, 0, 0}, {20, 0, 0}},
-                       Flow{-0.1, Vector3::Zero(), RelativeTo::body}};
+                       MassFlow{-0.1, Vector3::Zero(), RelativeTo::body}};
     double duration = 10;  // [s]: half the mass has left
     Need need{150.0 / 960, "m", "one pixel of its picture, 150 m across 960 pixels"};
 
@@ -72,7 +72,7 @@ struct Raindrop {
     std::string name = "raindrop";
     double m0 = 1e-5;    // [kg], 10 mg
     double beta = 1e-5;  // [kg/s]
-    VariableMass start{{m0, {0, 53, 0}, {3 * m0, 0, 0}}, Flow{beta, Vector3::Zero(), RelativeTo::world}};
+    VariableMass start{{m0, {0, 53, 0}, {3 * m0, 0, 0}}, MassFlow{beta, Vector3::Zero(), RelativeTo::world}};
     double duration = 4;  // [s]
     Need need{55.0 / 800, "m", "one pixel of its picture, 55 m over 800 pixels"};
 
@@ -90,7 +90,7 @@ struct Raindrop {
 /// exact: Tsiolkovsky's formula and its integral, with a constant field added; accurate to 1e-15 of exhaust speed x time.
 struct Rocket {
     std::string name = "rocket";
-    VariableMass start{{10, {0, 0, 0}, {0, 0, 0}}, Flow{-0.5, {-100, 0, 0}, RelativeTo::body}};
+    VariableMass start{{10, {0, 0, 0}, {0, 0, 0}}, MassFlow{-0.5, {-100, 0, 0}, RelativeTo::body}};
     Vector3 field = Vector3::Zero();  // [m/s^2]
     double duration = 15;             // [s]
     Need need{1.0 / 960, "of the gain", "one pixel of a chart 960 pixels high"};
@@ -121,7 +121,7 @@ struct Rocket {
 struct Launch : Rocket {
     Launch() {
         name = "launch";
-        start.flow = Flow{-5, Vector3{-0.2, -1, 0}.normalized() * 40, RelativeTo::body};
+        start.flow = MassFlow{-5, Vector3{-0.2, -1, 0}.normalized() * 40, RelativeTo::body};
         field = gravity;
         duration = 1.5;
         need = Need{25.0 / 760, "m", "one pixel of its picture, 25 m over 760 pixels"};
