@@ -20,8 +20,12 @@ namespace {
 
 std::string title_of(const Chapter& chapter) {
     std::string name = chapter.folder.substr(chapter.folder.find('_') + 1);
-    for (char& c : name) c = c == '_' ? ' ' : c;
-    name[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(name[0])));
+    bool begins = true;   // a word
+    for (char& c : name) {
+        if (begins) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+        begins = c == '_';
+        if (begins) c = ' ';
+    }
     return "Chapter " + std::to_string(chapter.number) + " · " + name;
 }
 
