@@ -93,7 +93,7 @@ TEST_CASE("orders over one orbit, by the maximum error: 1, 1, 2") {
     CHECK_THAT(convergence(verlet_method, {2000, 4000, 8000, 16000}, max_error), HasOrder(2));
 }
 
-TEST_CASE("from perihelion and after whole orbits, semi-implicit Euler seems second order; from elsewhere it does not") {
+TEST_CASE("from perihelion and after whole orbits, semi-implicit Euler seems second order, but from elsewhere it does not") {
     // It is Verlet between half a kick and its undoing: S = K(-h/2) V K(h/2). At perihelion the half kick stands at right
     // angles to the velocity, changes neither energy nor year at first order, and is undone when the planet is back.
     CHECK_THAT(convergence(semi_implicit_euler_method, {2000, 4000, 8000, 16000}, final_error), HasOrder(2));

@@ -117,7 +117,7 @@ TEST_CASE("raindrop: momentum by the printed equations, to round-off of its sums
     CHECK(K == lab::run(drop, euler_method, steps).momentum);
 }
 
-TEST_CASE("raindrop: position at its order; sideways it slows as 1/m", "[raindrop]") {
+TEST_CASE("raindrop: position at its order, and sideways it slows as 1/m", "[raindrop]") {
     const Raindrop drop;
     CHECK_THAT(convergence(drop, euler_method, {200, 400, 800, 1600}), HasOrder(1));
     CHECK_THAT(convergence(drop, semi_implicit_euler_method, {200, 400, 800, 1600}), HasOrder(1));

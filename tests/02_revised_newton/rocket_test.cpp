@@ -84,7 +84,7 @@ TEST_CASE("the rocket with its exhaust is the rocket alone, bit for bit", "[rock
     });
 }
 
-TEST_CASE("launch: place at its order; second needs Verlet and midway parcels both", "[rocket]") {
+TEST_CASE("launch: place at its order, and second needs Verlet and midway parcels both", "[rocket]") {
     const Launch launch;
     const Launch midway_launch = Rocket::with_midway(launch);
     CHECK_THAT(convergence(launch, euler_method, {200, 400, 800, 1600}), HasOrder(1));

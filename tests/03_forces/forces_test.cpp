@@ -72,7 +72,7 @@ TEST_CASE("E08: the ends of a spring that meet during a run feel no force there,
     }
 }
 
-TEST_CASE("E09: drag takes energy out, against the velocity; quadratic drag with its square") {
+TEST_CASE("E09: drag takes energy out, against the velocity, and quadratic drag with its square") {
     CHECK(linear_drag_force(0.5, v).dot(v) == Approx(-0.5 * v.squaredNorm()));
     CHECK(quadratic_drag_force(0.5, v).dot(v) == Approx(-0.5 * std::pow(v.norm(), 3)));
     CHECK(quadratic_drag_force(0.5, v).cross(v).norm() < 1e-14);

@@ -114,7 +114,7 @@ TEST_CASE("What is no known mistake is told by its signature") {
 }
 
 TEST_CASE(
-    "A slip that only some forces show is not called a right method; a wrong sum is looked at where it is "
+    "A slip that only some forces show is not called a right method, and a wrong sum is looked at where it is "
     "first wrong") {
     const Learner learner("more signatures");
     learner.answer({1, 5},
@@ -132,7 +132,7 @@ TEST_CASE(
     CHECK_THAT(flat(verdicts[6].words), ContainsSubstring("Seen with tolerance 0.6,"));
 }
 
-TEST_CASE("A solution changed in the ninth digit fails; the same function written otherwise passes") {
+TEST_CASE("A solution changed in the ninth digit fails, and the same function written otherwise passes") {
     const Learner learner("nearly right");
     for (const auto& [number, body] : std::vector<std::pair<Number, std::string>>{
              {{1, 1}, "    return (next_position - position) / (dt * (1 + 4e-9));"},

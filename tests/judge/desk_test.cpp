@@ -79,7 +79,7 @@ TEST_CASE("An edit while nothing else changes is seen, and without an edit nothi
     CHECK(sheets.compile({first}).problem);  // an error is not taken for a product
 }
 
-TEST_CASE("hint gives three, one at a time; solution waits for a pass or for giving up") {
+TEST_CASE("hint gives three, one at a time, and solution waits for a pass or for giving up") {
     const Learner learner("hints");
     const auto& hints = exercise_of(first).hints;
     for (std::size_t i = 0; i < 3; ++i) {
