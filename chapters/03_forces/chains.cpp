@@ -1,12 +1,9 @@
 // A chain and a cloth: how they hang, how close that is to the exact shape, and the step at which they fly
 // apart.
-#include <nutshell/chain_scenes.hpp>
-#include <nutshell/forces_methods.hpp>
 #include <nutshell/hanging_chain.hpp>
 #include <nutshell/lab/chart.hpp>
-#include <nutshell/lab/run.hpp>
 #include <nutshell/picture/picture.hpp>
-#include <nutshell/spring_limits.hpp>
+#include "method_limits.hpp"
 #include "scale.hpp"
 
 namespace nutshell {
@@ -148,27 +145,6 @@ void hang_a_chain(lab::Report& report) {
 // --- limits
 // --------------------------------------------------------------------------------------------------------
 
-/// The net without gravity and drag, every particle that is not held with a little speed of its own.
-SpringNet shaken(SpringNet net, double speed) {
-    net.g = 0, net.drag = 0;
-    for (std::size_t i = 0; i < net.start.size(); ++i) {
-        const auto k = static_cast<double>(i);
-        if (!std::binary_search(net.held.begin(), net.held.end(), i))
-            net.start.velocity.set(i, speed * Vector3(std::sin(1 + 7 * k * k),
-                                                      net.springs.rows > 1 ? std::sin(2 + 5 * k * k) : 0, 0));
-    }
-    return net;
-}
-
-double fastest_speed(const Particles& all) {
-    double most = 0;
-    for (std::size_t i = 0; i < all.size(); ++i) most = std::max(most, all.velocity[i].norm());
-    return most;
-}
-double fastest_speed(const Vector& y) {
-    return y.tail(y.size() / 2).lpNorm<Eigen::Infinity>();
-}
-
 /// The largest step at which a method does not let a small shake grow, by bisection.
 template <class Scene, class Method>
 double measured_limit(const Scene& small, const Method& method, double expected) {
@@ -195,7 +171,7 @@ void limits_of_methods(lab::Report& report, const SpringNet& a_chain, const Spri
     };
     const auto runs = [](const auto& method) {
         return [method](const SpringNet& net, double dt) {
-            return measured_limit(shaken(net, 1e-9), method, dt);
+            return measured_limit(shaken(net), method, dt);
         };
     };
     line("semi-implicit Euler", "semi_implicit_euler", 2, runs(semi_implicit_euler_method));
@@ -203,7 +179,7 @@ void limits_of_methods(lab::Report& report, const SpringNet& a_chain, const Spri
     line("Yoshida 4", "yoshida4", composed_limit(yoshida_weights()), runs(yoshida4<ForceArrays>()));
     line("Kahan-Li 8", "kahan_li8", composed_limit(kahan_li_weights()), runs(kahan_li8<ForceArrays>()));
     line("RK4", "rk4", std::sqrt(8.0), [](const SpringNet& net, double dt) {
-        return measured_limit(NetFlow(shaken(net, 1e-9)), rk4_method, dt);
+        return measured_limit(NetFlow(shaken(net)), rk4_method, dt);
     });
     report.print(table);
     report.data("net_methods.csv", table);
@@ -216,7 +192,7 @@ void find_limits(lab::Report& report) {
     const auto line = [&](const std::string& name, const std::string& word, const SpringNet& net,
                           double fastest) {
         const double formula = 2 / fastest, mode = 2 / fastest_mode(net, net.start).frequency,
-                     measured = measured_limit(shaken(net, 1e-9), VerletFsal<ForceArrays>{}, formula);
+                     measured = measured_limit(shaken(net), VerletFsal<ForceArrays>{}, formula);
         table.add({name, lab::rounded(formula, "%.6f"), lab::rounded(mode, "%.6f"),
                    lab::rounded(measured, "%.6f"), lab::rounded(measured / formula, "%.4f")});
         report.number("net_limit." + word + ".formula", formula, "s");

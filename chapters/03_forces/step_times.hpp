@@ -18,20 +18,24 @@ struct Times {
     double floor() const { return std::max(streaming, arithmetic); }
 };
 
-/// Times one kind of scene; `stream` and `arithmetic` are its floors, called for all particles.
+/// Times one kind of scene; `stream` and `arithmetic` are its floors, called for all particles. All
+/// work in place. They take turns, so that a while in which the machine is busy hits them alike.
 template <class Scene, class Stream, class Arithmetic>
 Times time_steps(const Scene& scene, const Stream& stream, const Arithmetic& arithmetic) {
     const std::size_t n = scene.start.size();
-    const double ns = 1e9 / static_cast<double>(n);
-    Particles all = scene.start;
-    Times times{n, 0, 0, 0, 0};
-    times.verbs = ns * lab::time_of([&] { all = semi_implicit_euler(std::move(all), scene, 0, timed_dt); },
-                                    timing_rounds);
-    times.one_pass =
-        ns * lab::time_of([&] { all = one_pass(std::move(all), scene, 0, timed_dt); }, timing_rounds);
-    times.streaming = ns * lab::time_of([&] { stream(all); }, timing_rounds);
-    times.arithmetic = ns * lab::time_of([&] { arithmetic(n); }, timing_rounds);
-    lab::keep(all.position.x[0]);
+    Particles all = scene.start, streamed = scene.start;
+    const auto least = [n](double& best, const auto& work) {
+        best = std::min(best, 1e9 / static_cast<double>(n) * lab::time_of(work, 1));
+    };
+    constexpr double never = std::numeric_limits<double>::infinity();
+    Times times{n, never, never, never, never};
+    for (int round = 0; round < timing_rounds; ++round) {
+        least(times.verbs, [&] { kick(all, scene(all, 0), timed_dt), drift(all, timed_dt); });
+        least(times.one_pass, [&] { advance(all, scene, timed_dt); });
+        least(times.streaming, [&] { stream(streamed); });
+        least(times.arithmetic, [&] { arithmetic(n); });
+    }
+    lab::keep(all.position.x[0]), lab::keep(streamed.position.x[0]);
     return times;
 }
 

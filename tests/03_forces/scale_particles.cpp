@@ -2,6 +2,7 @@
 // simulated.
 #include <limits>
 #include <nutshell/chain_scenes.hpp>
+#include <nutshell/forces_methods.hpp>
 #include <nutshell/lab/run.hpp>
 #include "check.hpp"
 
@@ -20,18 +21,8 @@ struct OneAnchored {
     }
 };
 
-auto euler_step = [](auto state, const auto& forces, double t, double dt) {
-    return euler(std::move(state), forces, t, dt);
-};
-auto semi_implicit_step = [](auto state, const auto& forces, double t, double dt) {
-    return semi_implicit_euler(std::move(state), forces, t, dt);
-};
-auto verlet_step = [](auto state, const auto& forces, double t, double dt) {
-    return verlet(std::move(state), forces, t, dt);
-};
-
-template <class Method>
-double farthest_from_alone(AnchoredParticles scene, const Method& method, long steps) {
+template <class Method, class Single>
+double farthest_from_alone(AnchoredParticles scene, const Method& method, const Single& single, long steps) {
     for (std::size_t i = 0; i < scene.start.size(); ++i)
         scene.start.mass[i] = 0.5 + 0.1 * static_cast<double>(i);
     const Particles all = lab::run(scene, method, steps);
@@ -39,24 +30,33 @@ double farthest_from_alone(AnchoredParticles scene, const Method& method, long s
     for (std::size_t i = 0; i < all.size(); ++i) {
         const OneAnchored alone{scene.start[i], scene.anchors[i], scene.stiffness,
                                 scene.drag,     scene.g,          scene.duration};
-        farthest = std::max(farthest, (lab::run(alone, method, steps).position - all.position[i]).norm());
+        farthest = std::max(farthest, (lab::run(alone, single, steps).position - all.position[i]).norm());
     }
     return farthest;
 }
 
 }  // namespace
 
-TEST_CASE("Many particles at once move as each moves alone, to round-off, with every method of chapter 1") {
+TEST_CASE("Many particles at once move as each moves alone, to round-off, with every method of drift and kick") {
     const AnchoredParticles scene = anchored_particles(37);  // not a multiple of any vector's width
-    CHECK(farthest_from_alone(scene, euler_step, 400) < 1e-13);
-    CHECK(farthest_from_alone(scene, semi_implicit_step, 400) < 1e-13);
-    CHECK(farthest_from_alone(scene, verlet_step, 400) < 1e-13);
+    const auto check = [&](const auto& method, const auto& single) {
+        CHECK(farthest_from_alone(scene, method, single, 400) < 1e-13);
+    };
+    check(euler_method, euler_method);
+    check(semi_implicit_euler_method, semi_implicit_euler_method);
+    check(semi_implicit_division_method, semi_implicit_division_method);
+    check(semi_implicit_exponential_method, semi_implicit_exponential_method);
+    check(exponential_kick_method, exponential_kick_method);
+    check(verlet_method, verlet_method);
+    check(exponential_verlet_method, exponential_verlet_method);
+    check(ExponentialVerlet<ForceArrays>{}, ExponentialVerlet<>{});
+    check(exponential_yoshida4<ForceArrays>(), exponential_yoshida4());
 }
 
 TEST_CASE("Verlet with the kept push gives the bits of Verlet on particles without drag") {
     AnchoredParticles scene = anchored_particles(100);
     scene.drag = 0;
-    const Particles twice = lab::run(scene, verlet_step, 200);
+    const Particles twice = lab::run(scene, verlet_method, 200);
     const Particles once = lab::run(scene, VerletFsal<ForceArrays>{}, 200);
     CHECK(once.position.x == twice.position.x);
     CHECK(once.position.y == twice.position.y);

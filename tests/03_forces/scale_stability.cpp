@@ -1,39 +1,12 @@
 // How large a step a chain and a cloth bear: by formula, by the fastest mode, and by running the method; 1 %
 // apart at most, stable at 0.99 of the limit and unstable at 1.01.
-#include <nutshell/forces_methods.hpp>
-#include <nutshell/lab/run.hpp>
-#include <nutshell/spring_limits.hpp>
+#include <Eigen/Eigenvalues>
 #include "check.hpp"
+#include "method_limits.hpp"
 
 using namespace nutshell;
 
 namespace {
-
-/// A small shift of every particle in the plane of the net, that has a little of every mode.
-SpringNet shaken(SpringNet net) {
-    net.g = 0;
-    std::size_t next = 0;
-    for (std::size_t i = 0; i < net.start.size(); ++i) {
-        if (next < net.held.size() && net.held[next] == i) {
-            ++next;
-            continue;
-        }
-        const auto k = static_cast<double>(i);
-        const bool plane = net.springs.rows > 1;
-        net.start.velocity.set(
-            i, 1e-9 * Vector3(std::sin(1 + 7 * k * k), plane ? std::sin(2 + 5 * k * k) : 0, 0));
-    }
-    return net;
-}
-
-double fastest_speed(const Particles& all) {
-    double most = 0;
-    for (std::size_t i = 0; i < all.size(); ++i) most = std::max(most, all.velocity[i].norm());
-    return most;
-}
-double fastest_speed(const Vector& y) {
-    return y.tail(y.size() / 2).lpNorm<Eigen::Infinity>();
-}
 
 /// The largest stable step by running: a shake of 1e-9 m/s must not grow a thousandfold in 600 steps.
 template <class Scene, class Method>
@@ -50,6 +23,27 @@ double measured_limit(const Scene& scene, const Method& method, double expected)
 template <class Scene, class Method>
 void check_limit(const Scene& scene, const Method& method, double expected) {
     CHECK(std::abs(measured_limit(scene, method, expected) / expected - 1) < 0.01);
+}
+
+}  // namespace
+
+namespace {
+
+/// A net at rest whose particles move in its fastest mode, a little.
+SpringNet in_fastest_mode(SpringNet net, double speed = 1e-7) {
+    net.g = 0;
+    const Mode mode = fastest_mode(net, net.start);
+    for (std::size_t i = 0; i < net.start.size(); ++i) net.start.velocity.set(i, speed * mode.shape[i]);
+    return net;
+}
+
+/// What a step multiplies the energy by: the n-th root of what n steps do.
+template <class Method>
+double energy_factor(const SpringNet& net, Method method, double dt, int steps = 20) {
+    const NetFlow flow(net);
+    Vector y = flow.start;
+    for (int n = 0; n < steps; ++n) y = method(y, flow, n * dt, dt);
+    return std::pow(net.energy(unflat(y, net.start)) / net.energy(net.start), 1.0 / steps);
 }
 
 }  // namespace
@@ -73,6 +67,103 @@ TEST_CASE("Chain: the closed forms are the fastest mode, and every method breaks
         }
 }
 
+namespace {
+
+/// The frequency whose mode breaks first as the step grows, and the step [s] at which it does.
+struct Weakest {
+    double omega, limit;
+};
+Weakest weakest_of(const std::vector<double>& frequencies, double g, const OnSpring& theory) {
+    Weakest first{0, std::numeric_limits<double>::infinity()};
+    for (const double omega : frequencies)
+        if (const double its = theory.limit(omega, g); its < first.limit) first = {omega, its};
+    return first;
+}
+
+/// The frequencies [rad/s] of all modes in the plane of the net: the roots of the eigenvalues of stiffness over
+/// mass, here by pulling every particle along x and y in turn.
+std::vector<double> frequencies_of(const SpringNet& net) {
+    const std::size_t n = net.start.size();
+    const std::vector<Joint> joints = list_of(net.springs).joints;
+    Eigen::MatrixXd stiffness = Eigen::MatrixXd::Zero(Eigen::Index(2 * n), Eigen::Index(2 * n));
+    for (const auto& [a, b, spring] : joints)
+        for (Eigen::Index axis = 0; axis < 2; ++axis) {
+            const Vector3 change = spring_force_change(spring, net.start.position[a], net.start.position[b],
+                                                       Vector3::Unit(axis));
+            for (Eigen::Index other = 0; other < 2; ++other) {
+                const auto i = 2 * Eigen::Index(a), j = 2 * Eigen::Index(b);
+                stiffness(i + other, i + axis) -= change[other], stiffness(j + other, j + axis) -= change[other];
+                stiffness(i + other, j + axis) += change[other], stiffness(j + other, i + axis) += change[other];
+            }
+        }
+    std::vector<double> frequencies;
+    for (const double square : Vector(stiffness.selfadjointView<Eigen::Lower>().eigenvalues()))
+        frequencies.push_back(std::sqrt(std::max(0.0, square) / net.start.mass[0]));
+    return frequencies;  // in rising order
+}
+
+/// A net with drag is as many damped springs as it has modes: a method breaks where the first of them does.
+void check_every_method(const SpringNet& net, const std::vector<double>& frequencies) {
+    const double fastest = frequencies.back(), g = net.drag / net.start.mass[0];
+    each_method<ForceArrays, Vector>([&](const std::string& name, const auto& method, auto as,
+                                         const OnSpring& theory) {
+        const Weakest first = weakest_of(frequencies, g, theory);
+        INFO(name << " on a " << net.name << ", g " << g << ", fastest " << fastest << " rad/s, breaks at "
+                  << first.omega << " rad/s with dt " << first.limit);
+        const auto stays = [&](double dt, long steps) {
+            return lab::stays_within(as(net), method, dt, steps, 1e-6,
+                                     [](const auto& state) { return fastest_speed(state); });
+        };
+        if (first.limit == 0) {
+            CHECK_FALSE(stays(1 / fastest, 2000));
+        } else if (!std::isfinite(first.limit)) {
+            CHECK(stays(100 / fastest, 20));
+        } else if (const long steps = theory.steps_to_grow(1e9, first.omega, g); steps < 200'000) {
+            CHECK(stays(0.99 * first.limit, steps));
+            CHECK_FALSE(stays(1.01 * first.limit, steps));
+            CHECK(lab::stability_limit([&](double dt) { return stays(dt, steps); }, 0.9 * first.limit,
+                                       1.1 * first.limit, 2e-3) == Approx(first.limit).epsilon(0.01));
+        } else {
+            CHECK(name == "Dormand-Prince 5(4)");  // has a test of its own, below
+        }
+    });
+}
+
+}  // namespace
+
+TEST_CASE("Chain: every method, without and with drag, breaks where the first of the chain's modes does") {
+    const std::size_t masses = 6;
+    const double mass = 0.2, stiffness = 50, gap = 0.1, fastest = chain_frequency(masses, mass, stiffness);
+    SpringNet net = shaken(chain(masses, mass, {stiffness, gap}, {0, 0, 0}, {gap * 7, 0, 0}));
+    net.drag = GENERATE(0., 0.3, 3.) * fastest * mass;
+    std::vector<double> frequencies;  // of all waves along the chain: sines, as the fastest is
+    for (std::size_t k = 1; k <= masses; ++k)
+        frequencies.push_back(2 * std::sqrt(stiffness / mass) *
+                              std::sin(static_cast<double>(k) * pi / (2 * (masses + 1.))));
+    REQUIRE(frequencies.back() == Approx(fastest).epsilon(1e-14));
+    check_every_method(net, frequencies);
+}
+
+TEST_CASE("Cloth: every method, without and with drag, breaks where the first of the cloth's modes does") {
+    SpringNet net = shaken(cloth(5, 1, 0.5, 30, Weave::with_shear_and_bend));
+    const std::vector<double> frequencies = frequencies_of(net);
+    REQUIRE(frequencies.back() == Approx(fastest_mode(net, net.start).frequency).epsilon(1e-6));
+    net.drag = GENERATE(0., 0.6) * frequencies.back() * net.start.mass[0];
+    check_every_method(net, frequencies);
+}
+
+TEST_CASE("Chain: Dormand-Prince leaves stability so gently that the energy of the fastest mode has to tell") {
+    const SpringNet net = in_fastest_mode(chain(6, 0.2, {50, 0.1}, {0, 0, 0}, {0.7, 0, 0}));
+    const double theta = general_limit(Amplification::dormand_prince, 1, 0),
+                 limit = theta / chain_frequency(6, 0.2, 50);
+    const auto stable = [&](double dt) {
+        return energy_factor(net, DormandPrince<Vector>{}, dt, 2000) < 1;
+    };
+    CHECK(stable(0.99 * limit));
+    CHECK_FALSE(stable(1.01 * limit));
+    CHECK(lab::stability_limit(stable, 0.95 * limit, 1.05 * limit, 1e-3) == Approx(limit).epsilon(0.01));
+}
+
 TEST_CASE("Cloth of 24 x 24: the endless cloth's fastest wave, the fastest mode and the run agree to 1 %") {
     const double stiffness = 30, mass = 0.5;
     const auto [weave, in_structural_steps] = GENERATE(table<Weave, double>(
@@ -88,27 +179,6 @@ TEST_CASE("Cloth of 24 x 24: the endless cloth's fastest wave, the fastest mode 
     check_limit(net, kahan_li8<ForceArrays>(), composed_limit(kahan_li_weights()) / fastest);
     check_limit(NetFlow(net), rk4_method, std::sqrt(8.0) / fastest);
 }
-
-namespace {
-
-/// A net at rest whose particles move in its fastest mode, a little.
-SpringNet in_fastest_mode(SpringNet net, double speed = 1e-7) {
-    net.g = 0;
-    const Mode mode = fastest_mode(net, net.start);
-    for (std::size_t i = 0; i < net.start.size(); ++i) net.start.velocity.set(i, speed * mode.shape[i]);
-    return net;
-}
-
-/// What a step multiplies the energy by: the twentieth root of what twenty steps do.
-template <class Method>
-double energy_factor(const SpringNet& net, const Method& method, double dt) {
-    const NetFlow flow(net);
-    Vector y = flow.start;
-    for (int n = 0; n < 20; ++n) y = method(y, flow, n * dt, dt);
-    return std::pow(net.energy(unflat(y, net.start)) / net.energy(net.start), 1.0 / 20);
-}
-
-}  // namespace
 
 TEST_CASE(
     "Chain and cloth: Euler and midpoint are never stable, and the fastest mode grows as one spring does") {

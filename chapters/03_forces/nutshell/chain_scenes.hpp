@@ -1,6 +1,7 @@
 // Chapter 3 · Scenes of many particles: each on its own spring, a chain, a cloth.
 #pragma once
 #include <algorithm>
+#include <nutshell/exponential.hpp>
 #include <nutshell/need.hpp>
 #include <nutshell/springs.hpp>
 #include <utility>
@@ -21,10 +22,12 @@ struct AnchoredParticles {
     /// Room for the sum of forces; so two threads must not step one scene at once.
     mutable Vector3Array forces{};
 
-    ForceArrays operator()(const Particles& all, double) const {
+    ForceArrays operator()(const Particles& all, double) const { return with(all, drag); }
+    /// The forces if the drag were `other_drag` [kg/s].
+    ForceArrays with(const Particles& all, double other_drag) const {
         forces.resize(all.size());
         wide::weight_and_drag(all.size(), forces.axes(), all.velocity.axes(), all.mass.data(),
-                              {0, -g, 0, drag});
+                              {0, -g, 0, other_drag});
         wide::anchored_springs(all.size(), forces.axes(), all.position.axes(), anchors.axes(),
                                stiffness);
         return std::as_const(forces).axes();
@@ -61,10 +64,12 @@ struct SpringNet {
     /// Room for the sum of forces; so two threads must not step one scene at once.
     mutable Vector3Array forces{};
 
-    ForceArrays operator()(const Particles& all, double) const {
+    ForceArrays operator()(const Particles& all, double) const { return with(all, drag); }
+    /// The forces if the drag were `other_drag` [kg/s].
+    ForceArrays with(const Particles& all, double other_drag) const {
         forces.resize(all.size());
         wide::weight_and_drag(all.size(), forces.axes(), all.velocity.axes(), all.mass.data(),
-                              {0, -g, 0, drag});
+                              {0, -g, 0, other_drag});
         add_forces(springs, all, forces);
         for (const std::size_t i : held)
             forces.set(i, Vector3::Zero());  // the hand that holds it balances every force
@@ -79,6 +84,30 @@ struct SpringNet {
     }
 };
 // [/spring_net]
+
+/// The forces without the drag, for the exponential methods.
+inline ForceArrays force_at_rest(const Particles& all, const AnchoredParticles& scene, double) {
+    return scene.with(all, 0);
+}
+inline ForceArrays force_at_rest(const Particles& all, const SpringNet& net, double) {
+    return net.with(all, 0);
+}
+
+/// The exponential kick of every particle under the force it feels at the start of the step.
+template <class Scene>
+Particles exponential_kick(Particles all, const Scene& scene, double t, double dt) {
+    struct Constant {
+        Vector3 force;  // [N], without the drag
+        double drag;    // [kg/s]
+        Vector3 operator()(const PointMass&, double) const { return force; }
+    };
+    const ForceArrays push = force_at_rest(all, scene, t);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const Constant on_i{{push.x[i], push.y[i], push.z[i]}, scene.drag};
+        all.set(i, exponential_kick(all[i], on_i, t, dt));
+    }
+    return all;
+}
 
 /// Gives the scene back if it can be simulated. @throws std::invalid_argument if its particles or
 /// springs cannot, if drag is negative, or a held particle moves, does not exist or is out of
@@ -167,19 +196,17 @@ inline SpringNet cloth(std::size_t n, double side, double mass, double stiffness
 // [/cloth]
 
 // [one_pass]
-/// Semi-implicit Euler for anchored particles in one pass over memory: the same verbs, the same
-/// numbers bit for bit.
-inline Particles one_pass(Particles all, const AnchoredParticles& scene, double, double dt) {
+/// One step of semi-implicit Euler for anchored particles, in place and in one pass over memory:
+/// the same verbs, the same numbers bit for bit.
+inline void advance(Particles& all, const AnchoredParticles& scene, double dt) {
     wide::anchored_step(all.size(), all.position.axes(), all.velocity.axes(), all.mass.data(),
                         scene.anchors.axes(), scene.stiffness, {0, -scene.g, 0, scene.drag}, dt);
-    return all;
 }
 
-/// Semi-implicit Euler for a grid of springs in one pass over memory: once all springs that start
-/// in a row have been added, no later spring touches this row, so it may be kicked and may drift
-/// while it is still in the nearest cache. A chain goes block by block in the same way. The same
-/// numbers, bit for bit.
-inline Particles one_pass(Particles all, const SpringNet& net, double, double dt) {
+/// The same for a grid of springs: once all springs that start in a row have been added, no later
+/// spring touches this row, so it may be kicked and may drift while it is still in the nearest
+/// cache. A chain goes block by block in the same way.
+inline void advance(Particles& all, const SpringNet& net, double dt) {
     const auto& [rows, columns, kinds] = net.springs;
     const wide::Medium medium{0, -net.g, 0, net.drag};
     const wide::Axes position = all.position.axes(), velocity = all.velocity.axes();
@@ -187,10 +214,10 @@ inline Particles one_pass(Particles all, const SpringNet& net, double, double dt
     const bool last_held = net.held.size() > first_held && net.held.back() == all.size() - 1;
     if (rows == 1 && kinds.size() == 1 && kinds[0].right == 1 &&
         net.held.size() == std::size_t(first_held) + last_held) {
-        wide::chain_step(columns, position, velocity, all.mass.data(),
-                         kinds[0].spring.rest_length, kinds[0].spring.stiffness, medium,
-                         first_held, last_held, dt);
-        return all;
+        const Spring& link = kinds[0].spring;
+        wide::chain_step(columns, position, velocity, all.mass.data(), link.rest_length,
+                         link.stiffness, medium, first_held, last_held, dt);
+        return;
     }
     net.forces.resize(all.size());
     const wide::Axes forces = net.forces.axes();
@@ -211,8 +238,14 @@ inline Particles one_pass(Particles all, const SpringNet& net, double, double dt
         wide::kick(columns, velocity.from(i), forces.from(i), all.mass.data() + i, dt);
         wide::drift(columns, position.from(i), velocity.from(i), dt);
     }
-    return all;
 }
 // [/one_pass]
+
+/// The same as a method of the lab.
+template <class Scene>
+Particles one_pass(Particles all, const Scene& scene, double, double dt) {
+    advance(all, scene, dt);
+    return all;
+}
 
 }  // namespace nutshell

@@ -46,6 +46,19 @@ State exponential_kick(State state, const Forces& forces, double t, double dt) {
 }
 // [/exponential_kick]
 
+// [decay]
+/// What drag alone leaves of a velocity after dt seconds: e^(-gamma dt/m), exact. Multiply the
+/// velocity by it.
+inline double decay_of(const PointMass& body, double drag, double dt) {
+    return std::exp(-drag * dt / body.mass);
+}
+
+/// The same by implicit Euler: 1/(1 + gamma dt/m). Needs no exponential; first order.
+inline double implicit_decay_of(const PointMass& body, double drag, double dt) {
+    return 1 / (1 + drag * dt / body.mass);
+}
+// [/decay]
+
 // [exponential_verlet]
 /// One step of Verlet with linear drag: half the drag, a Verlet step of the other forces, half
 /// the drag, the drag by its exact decay. Second order, symmetric, stable on a damped spring
@@ -53,7 +66,7 @@ State exponential_kick(State state, const Forces& forces, double t, double dt) {
 template <class State, class Forces>
 State exponential_verlet(State state, const Forces& forces, double t, double dt) {
     // exercise 3.6
-    const double half_decay = std::exp(-forces.drag * dt / 2 / state.mass);
+    const auto half_decay = decay_of(state, forces.drag, dt / 2);
     state.velocity *= half_decay;
     kick(state, force_at_rest(state, forces, t), dt / 2);
     drift(state, dt);
@@ -74,7 +87,7 @@ struct ExponentialVerlet {
 
     template <class State, class Forces>
     State operator()(State state, const Forces& forces, double t, double dt) {
-        const double half_decay = std::exp(-forces.drag * dt / 2 / state.mass);
+        const auto half_decay = decay_of(state, forces.drag, dt / 2);
         kick(state, kept ? *kept : force_at_rest(state, forces, t), dt / 2);
         state.velocity *= half_decay;
         drift(state, dt);
@@ -91,19 +104,19 @@ struct ExponentialVerlet {
 /// damped spring stable while omega dt < sqrt(2 (1 + e^(-gamma dt/m))).
 template <class State, class Forces>
 State semi_implicit_exponential(State state, const Forces& forces, double t, double dt) {
-    state.velocity *= std::exp(-forces.drag * dt / state.mass);
+    state.velocity *= decay_of(state, forces.drag, dt);
     kick(state, force_at_rest(state, forces, t), dt);
     drift(state, dt);
     return state;
 }
 
-/// Semi-implicit Euler with implicit drag, that of the velocity at the end: a division. First
+/// Semi-implicit Euler with implicit drag, that of the velocity at the end. First
 /// order; on a damped spring stable while dt < (g + sqrt(g^2 + 4 omega^2))/omega^2, g =
 /// gamma/m.
 template <class State, class Forces>
 State semi_implicit_division(State state, const Forces& forces, double t, double dt) {
     kick(state, force_at_rest(state, forces, t), dt);
-    state.velocity /= 1 + forces.drag * dt / state.mass;
+    state.velocity *= implicit_decay_of(state, forces.drag, dt);
     drift(state, dt);
     return state;
 }

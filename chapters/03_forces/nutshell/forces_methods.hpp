@@ -26,7 +26,9 @@ inline constexpr auto semi_implicit_division_method = [](auto state, const auto&
 };
 /// Fourth order with drag: Yoshida's three steps, each an exponential Verlet. One step back makes the drag
 /// grow for a while.
-inline Composed<ExponentialVerlet<>, 3> exponential_yoshida4() {
+/// @tparam Push  what forces(state, t) gives
+template <class Push = Vector3>
+Composed<ExponentialVerlet<Push>, 3> exponential_yoshida4() {
     return {{}, yoshida_weights()};
 }
 

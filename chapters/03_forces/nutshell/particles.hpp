@@ -58,6 +58,36 @@ inline void kick(Particles& all, const ForceArrays& forces, double dt) {
 }
 // [/particle_verbs]
 
+// [particle_decay]
+/// A factor for every particle that depends on its mass only.
+template <class Factor>
+struct ByMass {
+    const Particles& all;
+    Factor of;  ///< of(mass [kg])
+};
+
+/// Multiplies every vector by its particle's factor; neighbours of equal mass share it.
+template <class Factor>
+Vector3Array& operator*=(Vector3Array& vectors, const ByMass<Factor>& factor) {
+    double mass = 0, by = 0;
+    for (std::size_t i = 0; i < vectors.size(); ++i) {
+        if (factor.all.mass[i] != mass) mass = factor.all.mass[i], by = factor.of(mass);
+        vectors.x[i] *= by, vectors.y[i] *= by, vectors.z[i] *= by;
+    }
+    return vectors;
+}
+
+/// What drag alone leaves of every velocity after dt seconds: e^(-gamma dt/m), exact.
+inline auto decay_of(const Particles& all, double drag, double dt) {
+    return ByMass{all, [=](double mass) { return std::exp(-drag * dt / mass); }};
+}
+
+/// The same by implicit Euler: 1/(1 + gamma dt/m).
+inline auto implicit_decay_of(const Particles& all, double drag, double dt) {
+    return ByMass{all, [=](double mass) { return 1 / (1 + drag * dt / mass); }};
+}
+// [/particle_decay]
+
 /// Gives the particles back if they can be simulated. @throws std::invalid_argument that names
 /// the first particle whose mass is not greater than zero or whose numbers are not finite, or if
 /// the arrays differ in length

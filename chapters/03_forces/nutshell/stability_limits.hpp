@@ -38,14 +38,16 @@ inline double division_limit(double omega, double g) {
     return (g + std::sqrt(g * g + 4 * omega * omega)) / (omega * omega);
 }
 
-/// The first dt at which margin(dt), positive while stable, is no longer so; searched in steps
-/// of `stride` [s], then bisected. Infinite if it stays positive to `stride` * 10000.
-inline double first_limit(const std::function<double(double)>& margin, double stride) {
-    require_positive(stride, "first_limit: the stride [s]");
-    double high = stride;
-    for (int n = 2; margin(high) > 0; ++n, high = n * stride)
-        if (n > 10000) return std::numeric_limits<double>::infinity();
-    double low = high - stride;
+/// The first dt at which margin(dt), positive while stable, is no longer so: searched from
+/// `smallest` [s] in steps that grow by half a per cent, then bisected. Infinite if it stays
+/// positive to `times` that.
+inline double first_limit(const std::function<double(double)>& margin, double smallest,
+                          double times = 1e6) {
+    require_positive(smallest, "first_limit: the smallest step [s]");
+    double high = smallest;
+    for (; margin(high) > 0; high *= 1.005)
+        if (high > times * smallest) return std::numeric_limits<double>::infinity();
+    double low = high / 1.005;
     for (int turn = 0; turn < 60; ++turn) {
         const double middle = (low + high) / 2;
         (margin(middle) > 0 ? low : high) = middle;
@@ -57,6 +59,7 @@ inline double first_limit(const std::function<double(double)>& margin, double st
 /// Semi-implicit Euler with exponential drag (`semi_implicit_exponential`): (omega dt)^2 < 2 (1
 /// + e^(-g dt)).
 inline double exponential_limit(double omega, double g) {
+    if (omega == 0) return std::numeric_limits<double>::infinity();
     return first_limit(
         [=](double dt) { return 2 * (1 + std::exp(-g * dt)) - omega * omega * dt * dt; },
         0.01 / omega);
@@ -123,8 +126,8 @@ inline double general_limit(Complex (*amplification)(Complex), double omega, dou
                std::max(std::abs(amplification(rates[0] * dt)),
                         std::abs(amplification(rates[1] * dt)));
     };
-    const double stride = 0.01 / (omega + g), limit = first_limit(margin, stride);
-    return limit < stride * 1.000001 ? 0 : limit;
+    const double smallest = 0.01 / (omega + g), limit = first_limit(margin, smallest);
+    return limit < smallest ? 0 : limit;
 }
 
 }  // namespace nutshell

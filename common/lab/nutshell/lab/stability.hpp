@@ -26,12 +26,4 @@ Eigen::MatrixXd step_matrix(const Eigen::VectorXd& rest, const Step& step, doubl
 /// @throws std::invalid_argument if the matrix is not square or holds a number that is not finite
 double spectral_radius(const Eigen::MatrixXd& matrix);
 
-/// The step at which the spectral radius of `matrix_of(dt)` passes 1, by bisection between `low` (stable) and `high`
-/// (not). @param slack  growth a step that is let pass: a double eigenvalue 1, a body at rest, is known no better than 1e-8
-/// @throws std::invalid_argument if `low` is not stable or `high` is
-template <class MatrixOf>
-double spectral_limit(const MatrixOf& matrix_of, double low, double high, double slack = 1e-6) {
-    return stability_limit([&](double dt) { return spectral_radius(matrix_of(dt)) <= 1 + slack; }, low, high, 1e-5);
-}
-
 }  // namespace nutshell::lab
