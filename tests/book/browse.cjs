@@ -63,9 +63,11 @@ function examine(width) {
     const scrolls = e => ['auto', 'scroll'].includes(getComputedStyle(e).overflowX);
     for (const e of document.querySelectorAll('.katex-display, pre, .plot, .scroll'))
         if (e.scrollWidth > e.clientWidth + 1 && !scrolls(e)) bad.push(`cut off: ${who(e)}`);
-    if (width >= 1200)
-        for (const e of document.querySelectorAll('.katex-display'))
-            if (e.scrollWidth > e.clientWidth + 1) bad.push(`a formula is wider than a wide screen's column: ${who(e)}`);
+    if (width >= 1000)
+        for (const e of document.querySelectorAll('.katex-display, pre'))
+            if (e.scrollWidth > e.clientWidth + 1) bad.push(`wider than the column of a wide screen: ${who(e)}`);
+    for (const e of document.querySelectorAll('svg.chart *:not(title, desc, style)'))
+        if (getComputedStyle(e).display === 'none') bad.push(`a part of a chart is hidden: ${who(e)} of ${e.closest('svg').id}`);
     for (const e of document.querySelectorAll('.katex-error')) bad.push(`a formula was not set: ${who(e)}`);
     // Contrast of the text with the page's paper (WCAG: 4.5).
     const linear = v => (v /= 255) <= .03928 ? v / 12.92 : ((v + .055) / 1.055) ** 2.4;
@@ -103,7 +105,7 @@ async function main() {
         }
     });
 
-    const views = [[360, 'light'], [820, 'dark'], [1280, 'light']];
+    const views = [[360, 'light'], [1000, 'dark'], [1280, 'light']];
     const ids = new Map(), links = [];
     for (here of pages) {
         const loaded = event('Page.loadEventFired');

@@ -1,4 +1,5 @@
-// Chapter 2 · Revised Newton: momentum as the state, and mass that comes and goes with its momentum.
+// Chapter 2 · Revised Newton: momentum as the state, and mass that comes and goes with its
+// momentum.
 #pragma once
 #include <nutshell/newton.hpp>
 #include <span>
@@ -11,7 +12,7 @@ namespace nutshell {
 struct Particle {
     double mass = 1;                     ///< [kg], greater than zero
     Vector3 position = Vector3::Zero();  ///< [m], world frame
-    Vector3 momentum = Vector3::Zero();  ///< [kg m/s], world frame; the source's K. Source: eq. (10).
+    Vector3 momentum = Vector3::Zero();  ///< [kg m/s], world frame; the source's K, eq. (10)
 };
 
 /// Velocity [m/s], world frame: the momentum over the mass of this moment. Source: eq. (13).
@@ -20,8 +21,8 @@ inline Vector3 velocity(const Particle& body) {
 }
 // [/state]
 
-/// Gives `body` back if it can be simulated. @throws std::invalid_argument if its mass is not greater than zero
-/// or any of its numbers is not finite.
+/// Gives `body` back if it can be simulated. @throws std::invalid_argument if its mass is not
+/// greater than zero or any of its numbers is not finite.
 inline Particle checked(const Particle& body) {
     require_positive(body.mass, "the mass of a particle [kg]");
     require_finite(body.position, "the position of a particle [m]");

@@ -66,36 +66,42 @@ struct LeakyCart {
 };
 // [/cart]
 
-/// A drop falls through a cloud and picks up droplets that hang at rest. It enters with a sideways speed of 3 m/s.
-/// exact: K = K0 + g (m0 t + beta t^2/2), position by one logarithm; accurate to 1e-14 of the path.
+/// A drop falls through a cloud and picks up droplets that hang at rest. It enters with a
+/// sideways speed of 3 m/s. exact: K = K0 + g (m0 t + beta t^2/2), position by one logarithm;
+/// accurate to 1e-14 of the path.
 struct Raindrop {
     std::string name = "raindrop";
     double m0 = 1e-5;    // [kg], 10 mg
     double beta = 1e-5;  // [kg/s]
-    VariableMass start{{m0, {0, 53, 0}, {3 * m0, 0, 0}}, MassFlow{beta, Vector3::Zero(), RelativeTo::world}};
+    VariableMass start{{m0, {0, 53, 0}, {3 * m0, 0, 0}},
+                       MassFlow{beta, Vector3::Zero(), RelativeTo::world}};
     double duration = 4;  // [s]
     Need need{55.0 / 800, "m", "one pixel of its picture, 55 m over 800 pixels"};
 
     Vector3 operator()(const Particle& drop, double) const { return drop.mass * gravity; }
     Particle exact(double t) const {
         const double m = m0 + beta * t, log = std::log1p(beta * t / m0);
-        const double fall = (beta * t * (m + m0) / 2 - m0 * m0 * log) / (2 * beta * beta);   // [s^2]
+        const double fall =
+            (beta * t * (m + m0) / 2 - m0 * m0 * log) / (2 * beta * beta);  // [s^2]
         return {m, start.position + start.momentum * (log / beta) + gravity * fall,
                 start.momentum + gravity * (m0 * t + beta * t * t / 2)};
     }
     double error(const Particle& state, double t) const { return distance(state, exact(t)); }
 };
 
-/// A rocket in empty space (scene S4 of the comparison with other engines): m = 10 - 0.5 t, exhaust 100 m/s along -x.
-/// exact: Tsiolkovsky's formula and its integral, with a constant field added; accurate to 1e-15 of exhaust speed x time.
+/// A rocket in empty space (scene S4 of the comparison with other engines): m = 10 - 0.5 t,
+/// exhaust 100 m/s along -x. exact: Tsiolkovsky's formula and its integral, with a constant field
+/// added; accurate to 1e-15 of exhaust speed x time.
 struct Rocket {
     std::string name = "rocket";
-    VariableMass start{{10, {0, 0, 0}, {0, 0, 0}}, MassFlow{-0.5, {-100, 0, 0}, RelativeTo::body}};
+    VariableMass start{{10, {0, 0, 0}, {0, 0, 0}},
+                       MassFlow{-0.5, {-100, 0, 0}, RelativeTo::body}};
     Vector3 field = Vector3::Zero();  // [m/s^2]
     double duration = 15;             // [s]
     Need need{1.0 / 960, "of the gain", "one pixel of a chart 960 pixels high"};
 
-    /// The same with its exhaust measured against the mean of the rocket's velocities before and after each parcel.
+    /// The same with its exhaust measured against the mean of the rocket's velocities before and
+    /// after each parcel.
     template <class Scene>
     static Scene with_midway(Scene scene) {
         scene.start.flow.relative_to = RelativeTo::midway;
@@ -104,7 +110,8 @@ struct Rocket {
     double mass(double t) const { return start.mass + start.flow.rate * t; }
     Vector3 operator()(const Particle& rocket, double) const { return rocket.mass * field; }
     Particle exact(double t) const {
-        const double loss = -start.flow.rate, m = mass(t), log = -std::log1p(-loss * t / start.mass);   // ln(m0/m)
+        const double loss = -start.flow.rate, m = mass(t);
+        const double log = -std::log1p(-loss * t / start.mass);  // ln(m0/m)
         const Vector3 w = start.flow.velocity, v0 = nutshell::velocity(start);
         const Vector3 v = v0 - w * log + field * t;
         const Vector3 path = v0 * t - w * (t - m / loss * log) + field * t * t / 2;
@@ -117,7 +124,8 @@ struct Rocket {
     }
 };
 
-/// A water rocket takes off, a little tilted: 10 kg, 5 kg/s of water at 40 m/s for 1.5 s, under gravity.
+/// A water rocket takes off, a little tilted: 10 kg, 5 kg/s of water at 40 m/s for 1.5 s, under
+/// gravity.
 struct Launch : Rocket {
     Launch() {
         name = "launch";
@@ -145,13 +153,13 @@ struct RocketBooks {
     }
 };
 
-/// A ring on level ice, pulled by four ropes and pushed by a machine that shakes it. The forces depend on time only,
-/// so not only they add: the motions they would cause one by one add too.
+/// A ring on level ice, pulled by four ropes and pushed by a machine that shakes it. The forces
+/// depend on time only, so not only they add: the motions they would cause one by one add too.
 /// exact: the sum of those motions; accurate to round-off.
 struct ManyForces {
     std::string name = "many_forces";
-    std::array<Vector3, 4> ropes{Vector3{300, 0, 40}, Vector3{-120, 0, 250}, Vector3{-210, 0, -160},
-                                 Vector3{31, 0, -131}};   // [N]
+    std::array<Vector3, 4> ropes{Vector3{300, 0, 40}, Vector3{-120, 0, 250},
+                                 Vector3{-210, 0, -160}, Vector3{31, 0, -131}};  // [N]
     Vector3 shake{0, 0, 30};                              // [N]
     double shake_rate = 2 * pi;                           // [rad/s]
     Particle start{4, {0, 0, 0}, {0, 0, 0}};
@@ -159,7 +167,9 @@ struct ManyForces {
     Need need{8.0 / 960, "m", "one pixel of a picture 8 m across 960 pixels"};
     std::array<std::size_t, 5> order{0, 1, 2, 3, 4};   // in which the five are added
 
-    Vector3 force(std::size_t i, double t) const { return i < 4 ? ropes[i] : Vector3(shake * std::cos(shake_rate * t)); }
+    Vector3 force(std::size_t i, double t) const {
+        return i < 4 ? ropes[i] : Vector3(shake * std::cos(shake_rate * t));
+    }
     Vector3 operator()(const Particle&, double t) const {
         std::array<Vector3, 5> forces;
         for (std::size_t i = 0; i < 5; ++i) forces[i] = force(order[i], t);

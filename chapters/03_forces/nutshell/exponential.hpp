@@ -128,10 +128,10 @@ State semi_implicit_division(State state, const Forces& forces, double t, double
 /// round-off; omega [rad/s] and g = gamma/m [1/s] not negative. Eq. (3.g).
 inline Eigen::Matrix2d oscillation(double omega, double g, double t) {
     const double d = g / 2, D = omega * omega - d * d;
-    double c, s;  // e^(-d t) cos(rt), e^(-d t) sin(rt)/r, r = sqrt(D); with cosh and sinh where
-                  // D is negative
-    if (const double r = std::sqrt(std::abs(D));
-        r * t < 1e-4) {  // near critical: two terms of the series suffice
+    // e^(-d t) cos(rt), e^(-d t) sin(rt)/r, r = sqrt(D); cosh and sinh where D is negative; near
+    // critical two terms of their series suffice
+    double c, s;
+    if (const double r = std::sqrt(std::abs(D)); r * t < 1e-4) {
         c = std::exp(-d * t) * (1 - D * t * t / 2);
         s = std::exp(-d * t) * t * (1 - D * t * t / 6);
     } else if (D > 0) {

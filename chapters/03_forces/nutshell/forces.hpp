@@ -25,9 +25,8 @@ inline double gravity_energy(double mass, const Vector3& position, double g = ea
 // [spring]
 /// A massless spring, by Hooke's law.
 struct Spring {
-    double stiffness;  ///< kappa [N/m], not negative
-    double rest_length =
-        0;  ///< l0 [m], not negative: the length at which it neither pulls nor pushes
+    double stiffness;        ///< kappa [N/m], not negative
+    double rest_length = 0;  ///< l0 [m], not negative: where it neither pulls nor pushes
 };
 
 /// The force [N] of a spring on its end at `end`; the other end gets the opposite. Pulls when

@@ -82,8 +82,8 @@ EndTension end_tension(const ReachOf& reach_of, const Vector2& end, EndTension t
             return EndTension{tension.horizontal + part * step.x(),
                               tension.vertical + part * step.y()};
         };
-        const auto better = [&](const EndTension& next) {  // near the bottom the energies are
-                                                           // equal: then the end decides
+        // Near the bottom the energies are equal: then the end decides.
+        const auto better = [&](const EndTension& next) {
             if (next.horizontal < tension.horizontal / 10) return false;  // H stays positive
             return height(next) < height(tension) ||
                    (reach_of(next).end - end).norm() < (now.end - end).norm() / 2;

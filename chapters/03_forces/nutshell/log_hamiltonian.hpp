@@ -12,13 +12,12 @@ struct TimedPlanet {
 };
 
 /// The leapfrog of the logarithmic Hamiltonian. Its step is not a time but an angle: a drift
-/// lasts ds/(v^2/2
-/// + B), a kick r ds/GM, so both are short near the sun and long far from it. B = GM/r - v^2/2
-/// is the binding energy per mass of the start. Every step ends on the exact ellipse, to
-/// round-off; only the time at which it gets there is wrong, by O(ds^2). 2 pi of s is one orbit
-/// if GM = a = 1. For Kepler's force only; symmetric, so `Composed` raises its order. Source:
-/// S. Mikkola and K. Tanikawa, Celest. Mech. Dyn. Astron. 74 (1999) 287; M. Preto and S.
-/// Tremaine, Astron. J. 118 (1999) 2532.
+/// lasts ds/(v^2/2 + B), a kick r ds/GM, so both are short near the sun and long far from it.
+/// B = GM/r - v^2/2 is the binding energy per mass of the start. Every step ends on the exact
+/// ellipse, to round-off; only the time at which it gets there is wrong, by O(ds^2). 2 pi of s is
+/// one orbit if GM = a = 1. For Kepler's force only; symmetric, so `Composed` raises its order.
+/// Source: S. Mikkola and K. Tanikawa, Celest. Mech. Dyn. Astron. 74 (1999) 287; M. Preto and
+/// S. Tremaine, Astron. J. 118 (1999) 2532.
 struct LogHamiltonian {
     double gm;       ///< gravity constant times the mass of the sun [m^3/s^2]
     double binding;  ///< B [m^2/s^2], greater than zero

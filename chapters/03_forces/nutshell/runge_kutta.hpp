@@ -43,10 +43,8 @@ inline Flat rk4(const Flat& y, const Rate& flow, double t, double dt) {
 template <class Flat>
 struct Trial {
     Flat y;      ///< fifth order
-    Flat error;  ///< its distance from the fourth-order result hidden in the same rates: an
-                 ///< estimate of what went wrong
-    Flat
-        rate;  ///< y' at the end, which is the first rate of the next step (first same as last)
+    Flat error;  ///< its distance from the fourth-order result hidden in the same rates
+    Flat rate;   ///< y' at the end: the first rate of the next step (first same as last)
 };
 
 /// One step of Dormand-Prince 5(4) from y, where the rate is k1: six new evaluations, two
@@ -97,8 +95,8 @@ struct Tolerance {
 };
 
 /// Runs a flow from t0 to t1 with Dormand-Prince 5(4), choosing every step by its own error,
-/// and calls look(y, t) after each accepted one. The last step is cut to end at t1. @param
-/// first_step  a guess [s], corrected by itself
+/// and calls look(y, t) after each accepted one. The last step is cut to end at t1.
+/// @param first_step  a guess [s], corrected by itself
 /// @throws std::invalid_argument for a tolerance or step that is not greater than zero, or an
 /// end before the start; std::runtime_error if the step shrinks to nothing, as it does where
 /// the flow is not finite

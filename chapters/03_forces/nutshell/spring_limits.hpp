@@ -102,8 +102,8 @@ inline Mode fastest_mode(const SpringNet& net, const Particles& at, int turns = 
     Vector3Array change(at.size());
     std::vector<bool> moves(at.size(), true);
     for (const std::size_t i : net.held) moves[i] = false;
-    for (std::size_t i = 0; i < at.size();
-         ++i) {  // any start will do that has a little of every mode
+    // Any start will do that has a little of every mode.
+    for (std::size_t i = 0; i < at.size(); ++i) {
         const auto k = static_cast<double>(i);
         if (moves[i])
             mode.shape.set(
@@ -117,12 +117,11 @@ inline Mode fastest_mode(const SpringNet& net, const Particles& at, int turns = 
             add(change, a, on_a);
             add(change, b, -on_a);
         }
-        double length2 = 0, square = 0,
-               norm2 = 0;  // of the shape; of the frequency; of the new shape
+        double length2 = 0, square = 0, norm2 = 0;  // of shape, frequency, next shape
         for (std::size_t i = 0; i < at.size(); ++i) {
             const Vector3 next = moves[i] ? Vector3(-change[i] / at.mass[i]) : Vector3::Zero();
-            length2 += at.mass[i] * mode.shape[i].squaredNorm(),
-                square += at.mass[i] * mode.shape[i].dot(next);
+            length2 += at.mass[i] * mode.shape[i].squaredNorm();
+            square += at.mass[i] * mode.shape[i].dot(next);
             norm2 += next.squaredNorm();
             mode.shape.set(i, next);
         }

@@ -22,9 +22,8 @@ inline double euler_limit(double omega, double g) {
 // [/euler_limit]
 
 // [semi_implicit_limit]
-/// Semi-implicit Euler with the drag in its kick: 2/omega without drag, 2/g without spring. Eq.
-/// (3.j), which is
-/// (-g + sqrt(g^2 + 4 omega^2))/omega^2 written without its cancellation.
+/// Semi-implicit Euler with the drag in its kick: 2/omega without drag, 2/g without spring.
+/// Eq. (3.j), (-g + sqrt(g^2 + 4 omega^2))/omega^2 written without its cancellation.
 inline double semi_implicit_limit(double omega, double g) {
     // exercise 3.8
     return 4 / (g + std::sqrt(g * g + 4 * omega * omega));
