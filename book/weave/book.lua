@@ -33,6 +33,21 @@ function Book.math(page, m)
         :format(display, Book.prefix, page.file, at, Page.escape(tex)))
 end
 
+--- A short formula keeps the comma or full stop that follows it on its line: between the two a browser may break.
+local function keep_together(list)
+    for i = #list - 1, 1, -1 do
+        local formula, after = list[i], list[i + 1]
+        local tex = formula.t == "RawInline" and formula.text:match('^<span class="tex" [^>]*>(.*)</span>$')
+        local mark, rest
+        if tex and #tex <= 40 and after.t == "Str" then mark, rest = after.text:match("^([,.;:!?)]+)(.*)$") end
+        if mark then
+            list[i] = raw('<span class="together">' .. formula.text .. mark .. "</span>")
+            if rest == "" then list:remove(i + 1) else after.text = rest end
+        end
+    end
+    return list
+end
+
 local function code(page, block)
     local spec = block.attributes.region
     if not spec then return nil end
@@ -82,6 +97,7 @@ local function weave(page)
         end,
         Cite = function(c) return Labels.resolve(page, c) end,
         Link = function(l) return link(page, l) end,
+        Inlines = keep_together,
     }
     local blocks = {
         CodeBlock = function(b) return code(page, b) end,
