@@ -51,9 +51,6 @@ void limit(int which, rlim_t value, rlim_t grace = 0) {
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     signal(SIGPIPE, SIG_DFL);
     signal(SIGINT, SIG_DFL);
-    limit(RLIMIT_CORE, 0);
-    if (limits.cpu_seconds) limit(RLIMIT_CPU, limits.cpu_seconds, 1);  // SIGXCPU, and a second later SIGKILL
-    if (limits.memory) limit(RLIMIT_AS, limits.memory);
     const int nothing = open("/dev/null", O_RDONLY);
     // first out of the way of 0..3, then into place
     const int safe_extra = fcntl(extra, F_DUPFD_CLOEXEC, 100), safe_out = fcntl(out, F_DUPFD_CLOEXEC, 100),
@@ -64,6 +61,10 @@ void limit(int which, rlim_t value, rlim_t grace = 0) {
     dup2(safe_extra, pipe_number);
     for (int other = pipe_number + 1; other < 64; ++other) close(other);
     setenv("LC_ALL", "C", 1);  // a compiler's messages in the one form that explain() reads
+    // Last, for they are meant for the program to come: with sanitizers this one is far beyond them.
+    limit(RLIMIT_CORE, 0);
+    if (limits.cpu_seconds) limit(RLIMIT_CPU, limits.cpu_seconds, 1);  // SIGXCPU, and a second later SIGKILL
+    if (limits.memory) limit(RLIMIT_AS, limits.memory);
     execvp(words[0], words.data());
     _exit(127);
 }

@@ -34,6 +34,7 @@ inline double semi_implicit_limit(double omega, double g) {
 /// Semi-implicit Euler with implicit drag (`semi_implicit_division`): drag makes it more
 /// stable.
 inline double division_limit(double omega, double g) {
+    if (omega == 0) return std::numeric_limits<double>::infinity();
     return (g + std::sqrt(g * g + 4 * omega * omega)) / (omega * omega);
 }
 
@@ -77,7 +78,7 @@ inline double naive_verlet_limit(double omega, double g) {
 
 /// `exponential_verlet`, the half-drags outermost.
 inline double exponential_verlet_limit(double omega) {
-    return 2 / omega;
+    return omega == 0 ? std::numeric_limits<double>::infinity() : 2 / omega;
 }
 
 /// `ExponentialVerlet`, the half-drags next to the drift: (omega dt)^2 < 2 (1 + E)/sqrt(E), E =
