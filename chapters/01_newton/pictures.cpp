@@ -65,7 +65,7 @@ pic::Drawing orbits(const Planet& scene, const Path& points, pic::Colour colour)
     pic::Drawing drawing;
     drawing.ground({.height = -0.25, .normal = Vector3::UnitZ(), .spacing = 0.5, .unit = "a"});
     drawing.add(pic::Trail{.points = exact_path(Planet::for_orbits(1), 300), .colour = pic::palette::ink, .dashed = true, .width = 3, .shadow = false});
-    drawing.add(pic::Trail{.points = points, .colour = colour, .width = 2.5, .opacity_at_start = 0.55});
+    drawing.add(pic::Trail{.points = points, .colour = colour, .width = 2.5, .opacity_at_start = 0.55, .shadow = false});
     drawing.add(pic::Ball{.centre = {0, 0, 0}, .radius = 0.06, .colour = pic::palette::gold, .shines = true});
     drawing.add(pic::Ball{.centre = points.back(), .radius = 0.06, .colour = colour});
     drawing.add(pic::Ball{.centre = scene.start.position, .radius = 0.045, .look = pic::Look::ghost});

@@ -2,6 +2,7 @@
 #include <nutshell/forces_methods.hpp>
 #include <nutshell/forces_scenes.hpp>
 #include <nutshell/log_hamiltonian.hpp>
+#include <nutshell/stability_limits.hpp>
 #include "study.hpp"
 
 using namespace nutshell;
@@ -82,6 +83,56 @@ TEST_CASE("orders on the planet") {
     CHECK_THAT(errors(flow, rk4_method, {2000, 4000, 8000}), HasOrder(4));
     CHECK_THAT(errors(flow, dormand_prince_method, {1600, 2400, 3200}), HasOrder(5, 0.15));
     CHECK_THAT(errors(flow, implicit_midpoint_method, {2000, 4000, 8000}), HasOrder(2));
+}
+
+namespace {
+
+/// A spring whose other end is shaken: 1 kg, x'' = -omega^2 x - g x' + cos(3 t). A step that asks for the force at a wrong
+/// time loses its order here, and nowhere else.
+struct ShakenSpring {
+    double drag, omega = 2;   // [kg/s], [rad/s]
+    std::string name = "shaken_spring";
+    PointMass start{1, {1, 0, 0}, {0.7, 0, 0}};
+    double duration = 4;   // [s]
+
+    Vector3 operator()(const PointMass& s, double t) const {
+        return -omega * omega * s.position - drag * s.velocity + Vector3(std::cos(3 * t), 0, 0);
+    }
+    /// The swing of the shaking's own rhythm, and what is left of the start on top of it.
+    double error(const PointMass& s, double t) const {
+        const auto forced = [&](double at) {
+            const Complex swing = std::polar(1.0, 3 * at) / Complex(omega * omega - 9, 3 * drag);
+            return Eigen::Vector2d(swing.real(), -3 * swing.imag());
+        };
+        const Eigen::Vector2d at_start(start.position.x(), start.velocity.x());
+        const Eigen::Vector2d exact = forced(t) + oscillation(omega, drag, t) * (at_start - forced(0));
+        return std::abs(s.position.x() - exact[0]);
+    }
+};
+
+}  // namespace
+
+TEST_CASE("orders where the force depends on time too") {
+    const ShakenSpring free{0}, dragged{1.5};
+    CHECK_THAT(errors(free, euler_method, {10000, 20000, 40000}), HasOrder(1));
+    CHECK_THAT(errors(free, semi_implicit_euler_method, {2000, 4000, 8000}), HasOrder(1));
+    CHECK_THAT(errors(free, verlet_method, {1000, 2000, 4000}), HasOrder(2));
+    CHECK_THAT(errors(free, VerletFsal<Vector3>{}, {1000, 2000, 4000}), HasOrder(2));
+    CHECK_THAT(errors(free, yoshida4(), {200, 400, 800}), HasOrder(4));
+    CHECK_THAT(errors(free, kahan_li8(), {40, 50, 60}), HasOrder(8, 0.2));
+    CHECK_THAT(errors(dragged, semi_implicit_exponential_method, {2000, 4000, 8000}), HasOrder(1));
+    CHECK_THAT(errors(dragged, semi_implicit_division_method, {2000, 4000, 8000}), HasOrder(1));
+    CHECK_THAT(errors(dragged, exponential_kick_method, {10000, 20000, 40000}), HasOrder(1));
+    CHECK_THAT(errors(dragged, exponential_verlet_method, {1000, 2000, 4000}), HasOrder(2));
+    CHECK_THAT(errors(dragged, ExponentialVerlet<>{}, {1000, 2000, 4000}), HasOrder(2));
+    CHECK_THAT(errors(dragged, exponential_yoshida4(), {200, 400, 800}), HasOrder(4));
+    for (const Flow<ShakenSpring>& flow : {Flow(free), Flow(dragged)}) {
+        CHECK_THAT(errors(flow, explicit_midpoint_method, {2000, 4000, 8000}), HasOrder(2));
+        CHECK_THAT(errors(flow, rk4_method, {200, 400, 800}), HasOrder(4));
+        CHECK_THAT(errors(flow, dormand_prince_method, {100, 200, 400}), HasOrder(5, 0.1));
+        CHECK_THAT(errors(flow, implicit_euler_method, {10000, 20000, 40000}), HasOrder(1));
+        CHECK_THAT(errors(flow, implicit_midpoint_method, {1000, 2000, 4000}), HasOrder(2));
+    }
 }
 
 namespace {
