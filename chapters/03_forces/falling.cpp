@@ -30,10 +30,10 @@ void slowing_down(lab::Report& report) {
     };
     lab::Chart chart;
     chart.title = "The same drag, four steps";
-    chart.subtitle = "Speed of a body that only drag slows, over its start. x = γ dt/m, one step each unit.";
+    chart.subtitle = "Velocity of a body that only drag slows, over its start. x = γ dt/m, one step each unit.";
     chart.x = {"steps", lab::Scale::linear, 0, 16};
-    chart.y = {"speed over its start", lab::Scale::linear, -2.5, 2.5};
-    lab::Table data{{"method", "x", "step", "speed"}, {}};
+    chart.y = {"velocity over its start", lab::Scale::linear, -2.5, 2.5};
+    lab::Table data{{"method", "x", "step", "velocity"}, {}};
     const auto follow = [&](const std::string& name, const std::string& style, auto method, double x) {
         const Slowing scene{{1, {0, 0, 0}, {1, 0, 0}}, x};
         PointMass body = scene.start;

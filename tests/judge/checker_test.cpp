@@ -96,7 +96,7 @@ TEST_CASE("What is no known mistake is told by its signature") {
          "    return acceleration.norm() > 0 ? duration / std::ceil(acceleration.squaredNorm() * duration * "
          "duration / (2 * tolerance)) : duration;",
          "wrong: wrong formula",
-         "inputs: what is special about the one below?"},
+         "inputs: what is special about"},
         {{1, 8},
          "    clock.owed += frame_time;\n    const int due = static_cast<int>(clock.owed / clock.step);\n    "
          "clock.owed -= due * clock.step;\n    return due > 3 ? 3 : due;",

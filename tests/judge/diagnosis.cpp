@@ -43,7 +43,7 @@ double distance(const Values& a, const Values& b) {
 }
 std::string digits(double value, const char* format = "%.9g") {
     char text[40];
-    std::snprintf(text, sizeof text, format, value);
+    std::snprintf(text, sizeof text, format, value == 0 ? 0 : value);  // no "-0"
     return text;
 }
 std::string shown(const Values& values) {
@@ -175,7 +175,7 @@ std::optional<std::pair<std::string, std::string>> order_signature(const Exercis
         return {{"wrong order", "The error shrinks, but like dt^" + digits(order, "%.1f") +
                                     " where this method has dt^" + std::to_string(exercise.order) +
                                     ": the formula is right in the limit, but something is taken at the "
-                                    "wrong time in the step. " +
+                                    "wrong time or place in the step. " +
                                     table}};
     if (local && *local < exercise.order + 0.6)
         return {{"wrong order", "One step differs from the right one by an amount that goes like dt^" +
@@ -359,7 +359,8 @@ Diagnosis diagnose(const Exercise& exercise, const Record& reference, const std:
     for (std::size_t i = 0; i < count; ++i) asked = std::max(asked, outputs[i].input + 1);
     if (!signature && !order && wrong_inputs.size() < asked)
         diagnosis.words.push_back("It is right for " + std::to_string(asked - wrong_inputs.size()) + " of " +
-                                  std::to_string(asked) + " inputs: what is special about the one below?");
+                                  std::to_string(asked) + " inputs: what is special about " +
+                                  (2 * wrong_inputs.size() > asked ? "those?" : "the one below?"));
     std::set<std::size_t> components;
     std::size_t size = 0;
     for (const std::size_t i : wrong) {

@@ -13,7 +13,7 @@ namespace {
 
 std::string digits(double value) {
     char text[40];
-    std::snprintf(text, sizeof text, "%.6g", value);
+    std::snprintf(text, sizeof text, "%.6g", value == 0 ? 0 : value);  // no "-0"
     return text;
 }
 std::vector<Exercise>& entered() {

@@ -151,7 +151,7 @@ Sheet Sheets::compile(const std::vector<Number>& numbers, bool one_state) const 
 SheetAnswer Sheets::ask(const Sheet& sheet, Number number) const {
     SheetAnswer answer;
     answer.ran = run({sheet.program.string(), number.text(), std::to_string(pipe_number)},
-                     {.wall_seconds = 5, .cpu_seconds = 2, .memory = std::size_t{1} << 30});
+                     {.wall_seconds = 5, .cpu_seconds = 2, .memory = std::size_t{256} << 20});
     const std::string& bytes = answer.ran.pipe;
     for (std::size_t at = 0; at + 5 <= bytes.size();) {
         std::uint32_t length;

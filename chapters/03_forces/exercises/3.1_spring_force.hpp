@@ -15,6 +15,7 @@ struct SpringForce {
         ask_one(paper, answer, {12.5, 1.6}, end, far);    // longer than at rest: pulls
         ask_one(paper, answer, {12.5, 1.6}, end, near);   // shorter: pushes
         ask_one(paper, answer, {3.5, 0}, end, far);
+        ask_one(paper, answer, {12.5, 1.6}, end, end + Vector3(6e-7, 0, -8e-7));   // nearly meet: it pushes with all its might
         ask_one(paper, answer, {12.5, 1.6}, end, end);    // the ends meet
     }
 

@@ -40,6 +40,9 @@ inline Vector3 drag_that_is_linear(double c, const Vector3& velocity) {
 inline Vector3 drag_by_components(double c, const Vector3& velocity) {
     return -c * velocity.cwiseAbs().cwiseProduct(velocity);
 }
+inline Vector3 drag_of_squared_components(double c, const Vector3& velocity) {
+    return -c * velocity.cwiseProduct(velocity);
+}
 inline Vector3 drag_with_the_cube(double c, const Vector3& velocity) {
     return -c * velocity.squaredNorm() * velocity;
 }
@@ -78,6 +81,9 @@ inline Exercise QuadraticDrag::about() {
              {"component by component", "classic", "A ball thrown slantwise bends towards an axis of the world: drag depends on where x points.",
               "You square each component by itself. That is no vector: turn the axes and it changes. Multiply the velocity by its length.",
               attempt<QuadraticDrag>(NUTSHELL_CALL(mistakes::drag_by_components))},
+             {"the squares of the components", "classic: v^2", "Thrown to the left the ball speeds up, thrown to the right it slows down.",
+              "You square each component: the square has lost its sign, and turning the axes changes it. v^2 is the norm times the velocity.",
+              attempt<QuadraticDrag>(NUTSHELL_CALL(mistakes::drag_of_squared_components))},
              {"one length too many", "classic", "Fast balls stop as if they hit a wall.",
               "The speed enters three times: its square, and once more in the velocity. Take the norm, not its square.",
               attempt<QuadraticDrag>(NUTSHELL_CALL(mistakes::drag_with_the_cube))},

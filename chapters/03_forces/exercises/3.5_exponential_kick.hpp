@@ -51,6 +51,14 @@ State kick_drifts_with_the_old_velocity(State state, const Forces& forces, doubl
     return state;
 }
 template <class State, class Forces>
+State kick_overwrites_the_velocity_first(State state, const Forces& forces, double t, double dt) {
+    const double x = forces.drag * dt / state.mass;
+    const Vector3 acceleration = force_at_rest(state, forces, t) / state.mass;
+    state.velocity = state.velocity * std::exp(-x) + acceleration * dt * mean_decay(x);
+    state.position += state.velocity * dt * mean_decay(x) + acceleration * dt * dt * second_mean_decay(x);
+    return state;
+}
+template <class State, class Forces>
 State kick_by_a_fixed_factor(State state, const Forces& forces, double t, double dt) {
     const Vector3 acceleration = force_at_rest(state, forces, t) / state.mass;
     state.velocity = 0.98 * (state.velocity + acceleration * dt);
@@ -126,6 +134,9 @@ inline Exercise ExponentialKick::about() {
              {"the drift uses the old velocity", "classic", "Everything moves too far, as if the drag began one step late.",
               "You drift with the velocity of the start, but it decays on the way: take its mean over the step.",
               attempt<ExponentialKick>(NUTSHELL_CALL(mistakes::kick_drifts_with_the_old_velocity))},
+             {"the velocity overwritten too early", "classic", "Everything falls too far, though its speed is right.",
+              "The velocity is exact. But it is written before the way is added up, and the formula for the way wants that of the start.",
+              attempt<ExponentialKick>(NUTSHELL_CALL(mistakes::kick_overwrites_the_velocity_first))},
              {"a fixed factor", "classic: v *= 0.98 per step", "At 144 Hz the drag is nearly five times as strong as at 30 Hz.",
               "You scale the velocity by a number that knows nothing of dt, gamma and the mass. The factor of a step is e^(-gamma dt/m).",
               attempt<ExponentialKick>(NUTSHELL_CALL(mistakes::kick_by_a_fixed_factor))},

@@ -49,6 +49,14 @@ State verlet_with_all_drag_first(State state, const Forces& forces, double t, do
     return state;
 }
 template <class State, class Forces>
+State verlet_with_all_drag_last(State state, const Forces& forces, double t, double dt) {
+    kick(state, force_at_rest(state, forces, t), dt / 2);
+    drift(state, dt);
+    kick(state, force_at_rest(state, forces, t + dt), dt / 2);
+    state.velocity *= std::exp(-forces.drag * dt / state.mass);
+    return state;
+}
+template <class State, class Forces>
 State verlet_with_whole_drags(State state, const Forces& forces, double t, double dt) {
     const double decay = std::exp(-forces.drag * dt / state.mass);
     state.velocity *= decay;
@@ -120,6 +128,9 @@ inline Exercise ExponentialVerletStep::about() {
              {"all the drag at the start", "classic", "Half the step halves the error only.",
               "The whole decay stands at the start, so the step does not read the same backwards. Take half before and half after.",
               attempt<ExponentialVerletStep>(NUTSHELL_CALL(mistakes::verlet_with_all_drag_first))},
+             {"all the drag at the end", "classic", "Half the step halves the error only.",
+              "The whole decay stands at the end, so the step does not read the same backwards. Take half before and half after.",
+              attempt<ExponentialVerletStep>(NUTSHELL_CALL(mistakes::verlet_with_all_drag_last))},
              {"a whole decay at both ends", "classic", "The drag is twice as strong as it should be.",
               "You let the velocity decay by a whole step twice. Each end gets half: dt/2 in the exponent.",
               attempt<ExponentialVerletStep>(NUTSHELL_CALL(mistakes::verlet_with_whole_drags))},

@@ -11,7 +11,7 @@ struct SemiImplicitLimit {
 
     template <class Answer>
     static void ask(Paper& paper, const Answer& answer) {
-        for (const auto& [omega, g] : {std::pair{3.0, 0.0}, {3.0, 0.7}, {1.4, 2.1}, {2.5, 5.0}, {3.0, 14.5}, {0.0, 4.0}}) {
+        for (const auto& [omega, g] : {std::pair{3.0, 0.0}, {3.0, 0.7}, {1.4, 2.1}, {2.5, 5.0}, {3.0, 14.5}, {1e-5, 4.0}, {1e-9, 4.0}, {0.0, 4.0}}) {
             paper.input("omega", omega, "g", g);
             const double limit = answer(omega, g);
             paper.output("the largest stable step [s]", limit, 1 / (omega + g));
@@ -41,6 +41,9 @@ inline double limit_of_drag_only(double, double g) {
 }
 inline double limit_dividing_by_zero(double omega, double g) {
     return (-g + std::sqrt(g * g + 4 * omega * omega)) / (omega * omega);
+}
+inline double limit_that_cancels(double omega, double g) {
+    return omega == 0 ? 2 / g : limit_dividing_by_zero(omega, g);
 }
 inline double limit_of_eulers_rates(double omega, double g) {
     if (g * g < 4 * omega * omega) return g / (omega * omega);
@@ -87,6 +90,9 @@ inline Exercise SemiImplicitLimit::about() {
              {"no spring is a division by zero", "classic", "Where there is only drag, the step becomes NaN.",
               "The formula is right, but for omega = 0 it is zero over zero, and near it loses its digits. Multiply above and below by the same sum.",
               attempt<SemiImplicitLimit>(NUTSHELL_CALL(mistakes::limit_dividing_by_zero))},
+             {"the digits cancel", "classic: a difference of neighbours", "With much drag and a weak spring the step is noise, or zero.",
+              "The formula is right, and no spring at all is looked after. But for a weak one the root is nearly g, and the difference loses its digits. Multiply above and below by the same sum.",
+              attempt<SemiImplicitLimit>(NUTSHELL_CALL(mistakes::limit_that_cancels))},
              {"Euler's limit", "classic", "The step is far smaller than it need be, or zero without drag.",
               "This is Euler's limit. Semi-implicit Euler kicks first, and its matrix is another.",
               attempt<SemiImplicitLimit>(NUTSHELL_CALL(mistakes::limit_of_eulers_rates))},

@@ -26,7 +26,7 @@ void ask_dragged_step(Paper& paper, const Answer& answer) {
     const PointMass body{2.5, {1.1, -0.8, 0.6}, {0.7, 1.3, -0.9}};
     for (const double drag : {0.6, 3.5}) {
         const Dragged forces{drag};
-        paper.input("a point mass of", body.mass, "kg at", body.position, "with the velocity", body.velocity, "drag", drag, "dt", dt);
+        paper.input("a point mass, mass [kg]", body.mass, "at", body.position, "with the velocity", body.velocity, "drag", drag, "dt", dt);
         const PointMass moved = answer(body, forces, t, dt);
         const Vector3 gain = forces(body, t) / body.mass * dt;
         paper.output("the position [m]", moved.position, body.position, body.velocity * dt, gain * dt);

@@ -65,6 +65,8 @@ struct ByMass {
     const Particles& all;
     Factor of;  ///< of(mass [kg])
 };
+template <class Factor>
+ByMass(const Particles&, Factor) -> ByMass<Factor>;
 
 /// Multiplies every vector by its particle's factor; neighbours of equal mass share it.
 template <class Factor>
