@@ -25,7 +25,7 @@ void limits_table(lab::Report& report) {
                 cells.push_back(predicted == 0 ? "never" : "always");
                 continue;
             }
-            const long steps = std::max(30'000L, theory.steps_to_grow(1e7, c.omega, c.g));
+            const long steps = std::max(30'000L, theory.steps_to_grow(3e3, c.omega, c.g));
             const auto stable = [&](double dt) {
                 return lab::stays_within(as(spring_of(c.omega, c.g)), method, dt, steps, 1000, [](const auto& s) { return size_of(s); });
             };
