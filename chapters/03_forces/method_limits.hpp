@@ -27,7 +27,7 @@ inline double size_of(const FlatPoint& y) {
     return y.cwiseAbs().maxCoeff();
 }
 
-/// What a method moves: bodies, or flows y' = f(t, y).
+/// What a method moves: bodies, or flows y' = flow(y, t).
 struct Bodies {
     template <class Scene>
     const Scene& operator()(const Scene& scene) const {
@@ -174,6 +174,7 @@ inline SpringNet shaken(SpringNet net, double speed = 1e-9) {
     return net;
 }
 
+/// The greatest speed [m/s] of any particle; of a flat state, the greatest number among its velocities.
 inline double fastest_speed(const Particles& all) {
     double most = 0;
     for (std::size_t i = 0; i < all.size(); ++i) most = std::max(most, all.velocity[i].norm());

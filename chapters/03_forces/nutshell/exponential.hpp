@@ -47,8 +47,8 @@ State exponential_kick(State state, const Forces& forces, double t, double dt) {
 // [/exponential_kick]
 
 // [decay]
-/// What drag alone leaves of a velocity after dt seconds: e^(-gamma dt/m), exact. Multiply the
-/// velocity by it.
+/// What drag alone, gamma = `drag` [kg/s], leaves of a velocity after dt [s]: the factor
+/// e^(-gamma dt/m), exact.
 inline double decay_of(const PointMass& body, double drag, double dt) {
     return std::exp(-drag * dt / body.mass);
 }
