@@ -9,7 +9,7 @@
 #include <catch2/matchers/catch_matchers_templated.hpp>
 template <class T>
 using MatcherOf = Catch::Matchers::MatcherBase<T>;
-using Catch::Approx;   // v2 has it in the global namespace already
+using Catch::Approx;  // v2 has it in the global namespace already
 using Catch::Matchers::ContainsSubstring;
 #else
 #include <catch2/catch.hpp>

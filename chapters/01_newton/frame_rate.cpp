@@ -10,13 +10,15 @@ namespace nutshell {
 
 namespace {
 
-const std::vector<int> rates{30, 60, 144};   // [Hz]; their common instants are the multiples of 1/6 s
+const std::vector<int> rates{30, 60,
+                             144};  // [Hz]; their common instants are the multiples of 1/6 s
 
 }  // namespace
 
 void frame_rate(lab::Report& report) {
     const ThrownBall scene;
-    report.heading("Frame rate: one throw, one step a frame, height above the exact path after 3 s");
+    report.heading(
+        "Frame rate: one throw, one step a frame, height above the exact path after 3 s");
     lab::Table table{{"rate [Hz]", "Euler [m]", "semi-implicit Euler [m]", "Verlet [m]"}, {}};
     lab::Chart chart;
     chart.title = "Euler's ball flies higher on a slower machine";
@@ -26,19 +28,27 @@ void frame_rate(lab::Report& report) {
     for (const int rate : rates) {
         lab::Series series{std::to_string(rate) + " Hz"};
         lab::run(scene, euler_method, 3 * rate, [&](const PointMass& ball, double t) {
-            series.x.push_back(t), series.y.push_back((ball.position - scene.exact(t).position).y());
+            series.x.push_back(t),
+                series.y.push_back((ball.position - scene.exact(t).position).y());
         });
         const double euler_error = series.y.back();
-        const auto height = [&](const auto& method) { return (lab::run(scene, method, 3 * rate).position - scene.exact(3).position).y(); };
-        table.add({std::to_string(rate), lab::rounded(euler_error, "%.5f"), lab::rounded(height(semi_implicit_euler_method), "%.5f"),
+        const auto height = [&](const auto& method) {
+            return (lab::run(scene, method, 3 * rate).position - scene.exact(3).position).y();
+        };
+        table.add({std::to_string(rate), lab::rounded(euler_error, "%.5f"),
+                   lab::rounded(height(semi_implicit_euler_method), "%.5f"),
                    lab::rounded(height(verlet_method), "%.1e")});
         report.number("frame_rate.euler." + std::to_string(rate), euler_error, "m");
         report.number("frame_rate.verlet." + std::to_string(rate), height(verlet_method), "m");
-        // (1.a) put into the path: Euler's ball is at height zero one whole step after the exact one
-        const double exact_landing = -2 * scene.start.velocity.y() / gravity.y(), landing = exact_landing + 1.0 / rate;
-        require(std::abs(scene.exact(landing).position.y() + throw_error(Method::euler, gravity, landing, 1.0 / rate).y()) < 1e-12,
+        // (1.a) put into the path: Euler's ball is at height zero one whole step after the exact
+        // one
+        const double exact_landing = -2 * scene.start.velocity.y() / gravity.y(),
+                     landing = exact_landing + 1.0 / rate;
+        require(std::abs(scene.exact(landing).position.y() +
+                         throw_error(Method::euler, gravity, landing, 1.0 / rate).y()) < 1e-12,
                 "the law of the landing does not hold");
-        report.number("frame_rate.landing." + std::to_string(rate), scene.start.velocity.x() * (landing - exact_landing), "m");
+        report.number("frame_rate.landing." + std::to_string(rate),
+                      scene.start.velocity.x() * (landing - exact_landing), "m");
         series.draw = lab::Draw::line;
         chart.series.push_back(std::move(series));
     }
@@ -47,12 +57,16 @@ void frame_rate(lab::Report& report) {
 }
 
 void game_loop(lab::Report& report) {
-    report.heading("Game loop: the same throw on five machines, semi-implicit Euler, error where the ball is drawn after 3 s");
+    report.heading(
+        "Game loop: the same throw on five machines, semi-implicit Euler, error where the ball "
+        "is drawn after 3 s");
     const ThrownBall scene;
     lab::Table table{{"machine", "step follows the frame [m]", "fixed step of 1/120 s [m]"}, {}};
     double least = 1e9, most = 0, fixed_least = 1e9, fixed_most = 0;
     for (const Machine& machine : machines()) {
-        double following = 0, fixed = 0;   // the last frame's errors [m]; the fixed loop draws the ball one step late
+        double following = 0,
+               fixed =
+                   0;  // the last frame's errors [m]; the fixed loop draws the ball one step late
         play(machine, [&](const Shown& shown) {
             following = (shown.following - scene.exact(shown.time).position).norm();
             fixed = (shown.fixed - scene.exact(shown.time - fixed_step).position).norm();
@@ -68,7 +82,8 @@ void game_loop(lab::Report& report) {
     report.number("game_loop.fixed_most", fixed_most, "m");
     report.number("game_loop.fixed_spread", fixed_most - fixed_least, "m");
 
-    // The source's program (section 10, erratum E72) makes one step of 0.008 s a frame, whatever the frame lasts.
+    // The source's program (section 10, erratum E72) makes one step of 0.008 s a frame, whatever
+    // the frame lasts.
     report.number("game_loop.source_speed_at_60_hz", 0.008 * 60);
     report.number("game_loop.source_speed_at_144_hz", 0.008 * 144);
 
@@ -93,14 +108,16 @@ void game_loop(lab::Report& report) {
         }
         series.draw = lab::Draw::line;
         if (cap == 5) simulated_share = played / real;
-        report.number(cap == 5 ? "spiral.capped_frame" : "spiral.last_frame", series.y.back(), "s");
+        report.number(cap == 5 ? "spiral.capped_frame" : "spiral.last_frame", series.y.back(),
+                      "s");
         chart.series.push_back(std::move(series));
     }
     lab::write_svg(chart, report.path("spiral_of_death.svg"));
     report.number("spiral.growth", cost / slow_step);
     report.number("spiral.capped_speed", simulated_share);
-    report.say("A step that costs 20 ms and simulates 16.7 ms: frame 40 takes " + lab::rounded(chart.series[0].y.back()) +
-               " s without a cap, " + lab::rounded(chart.series[1].y.back()) + " s with one; the game then runs at " +
+    report.say("A step that costs 20 ms and simulates 16.7 ms: frame 40 takes " +
+               lab::rounded(chart.series[0].y.back()) + " s without a cap, " +
+               lab::rounded(chart.series[1].y.back()) + " s with one; the game then runs at " +
                lab::rounded(100 * simulated_share) + " % of real time.");
 }
 

@@ -7,10 +7,10 @@
 
 namespace nutshell {
 
-/// How a machine draws: about `hertz` frames a second, each up to the share `ragged` longer or shorter,
-/// with one hitch of `hitch` seconds in the middle.
+/// How a machine draws: about `hertz` frames a second, each up to the share `ragged` longer or
+/// shorter, with one hitch of `hitch` seconds in the middle.
 struct Machine {
-    std::string name, label;   // in a table, and beside a ball
+    std::string name, label;  // in a table, and beside a ball
     double hertz, ragged = 0, hitch = 0;
 };
 
@@ -22,8 +22,8 @@ inline std::vector<Machine> machines() {
             {"60 Hz, one hitch of half a second", "a hitch", 60, 0, 0.5}};
 }
 
-/// The machine's frame times [s], adding up to `duration`. The same list in every run: the unevenness comes from a
-/// fixed sequence (the generator of Numerical Recipes).
+/// The machine's frame times [s], adding up to `duration`. The same list in every run: the
+/// unevenness comes from a fixed sequence (the generator of Numerical Recipes).
 inline std::vector<double> frame_times(const Machine& machine, double duration) {
     std::vector<double> frames;
     unsigned state = 1;
@@ -31,20 +31,21 @@ inline std::vector<double> frame_times(const Machine& machine, double duration) 
         state = state * 1664525u + 1013904223u;
         const double uneven = static_cast<double>(state >> 8) / (1 << 24) * 2 - 1;
         double frame = (1 + machine.ragged * uneven) / machine.hertz;
-        if (machine.hitch > 0 && t < duration / 2 && t + frame >= duration / 2) frame = machine.hitch;
+        if (machine.hitch > 0 && t < duration / 2 && t + frame >= duration / 2)
+            frame = machine.hitch;
         frames.push_back(std::min(frame, duration - t));
         t += frame;
     }
     return frames;
 }
 
-inline constexpr double fixed_step = 1.0 / 120;   ///< of the game loop [s]
+inline constexpr double fixed_step = 1.0 / 120;  ///< of the game loop [s]
 
 /// One frame of the throw as both loops show it.
 struct Shown {
-    double time;         ///< real time [s]
-    Vector3 following;   ///< one step a frame, as long as the frame
-    Vector3 fixed;       ///< fixed steps, drawn between the last two: one step behind the clock
+    double time;        ///< real time [s]
+    Vector3 following;  ///< one step a frame, as long as the frame
+    Vector3 fixed;      ///< fixed steps, drawn between the last two: one step behind the clock
 };
 
 /// Plays the throw with semi-implicit Euler on a machine, and calls look(shown) for every frame.

@@ -29,18 +29,32 @@ Path path(const Scene& scene, const Method& method, long steps, long every = 1) 
 template <class Scene>
 Path exact_path(const Scene& scene, long pieces) {
     Path points;
-    for (long n = 0; n <= pieces; ++n) points.push_back(scene.exact(scene.duration * static_cast<double>(n) / static_cast<double>(pieces)).position);
+    for (long n = 0; n <= pieces; ++n)
+        points.push_back(
+            scene.exact(scene.duration * static_cast<double>(n) / static_cast<double>(pieces))
+                .position);
     return points;
 }
 
 void straight_line_picture(lab::Report& report) {
     const StraightLine scene;
-    const pic::Note note{report.command(), "straight line", "Verlet", "0.5 s", {{"largest error", lab::measure(scene, verlet_method, 8).max_error, "m"}}};
+    const pic::Note note{
+        report.command(),
+        "straight line",
+        "Verlet",
+        "0.5 s",
+        {{"largest error", lab::measure(scene, verlet_method, 8).max_error, "m"}}};
     pic::save(report.path("straight_line.png"), note, [&] {
         pic::Drawing drawing;
-        pic::add(drawing, pic::Stroboscope{.computed = path(scene, verlet_method, 8), .exact = {}, .exact_path = {}, .radius = 0.22});
-        drawing.add(pic::Arrow{.from = scene.start.position + Vector3(0, 0.4, 0), .vector = scene.start.velocity * 0.8, .label = "v"});
-        drawing.title("No force: the same distance in the same time").caption("an image every 0.5 s");
+        pic::add(drawing, pic::Stroboscope{.computed = path(scene, verlet_method, 8),
+                                           .exact = {},
+                                           .exact_path = {},
+                                           .radius = 0.22});
+        drawing.add(pic::Arrow{.from = scene.start.position + Vector3(0, 0.4, 0),
+                               .vector = scene.start.velocity * 0.8,
+                               .label = "v"});
+        drawing.title("No force: the same distance in the same time")
+            .caption("an image every 0.5 s");
         return pic::render(drawing, pic::fit(drawing, {0.2, 0.35, 1}));
     });
 }
@@ -49,14 +63,25 @@ void throw_picture(lab::Report& report) {
     const ThrownBall scene;
     const long steps = 12;
     const double dt = scene.duration / steps;
-    const pic::Note note{report.command(), "thrown ball", "Euler", lab::rounded(dt) + " s",
-                         {{"height above the exact path at the end", (lab::run(scene, euler_method, steps).position - scene.exact(scene.duration).position).y(), "m"}}};
+    const pic::Note note{
+        report.command(),
+        "thrown ball",
+        "Euler",
+        lab::rounded(dt) + " s",
+        {{"height above the exact path at the end",
+          (lab::run(scene, euler_method, steps).position - scene.exact(scene.duration).position)
+              .y(),
+          "m"}}};
     pic::save(report.path("throw.png"), note, [&] {
         pic::Drawing drawing;
-        pic::add(drawing, pic::Stroboscope{.computed = path(scene, euler_method, steps), .exact = exact_path(scene, steps),
-                                           .exact_path = exact_path(scene, 100), .radius = 0.45, .colour = pic::palette::explicit_euler});
+        pic::add(drawing, pic::Stroboscope{.computed = path(scene, euler_method, steps),
+                                           .exact = exact_path(scene, steps),
+                                           .exact_path = exact_path(scene, 100),
+                                           .radius = 0.45,
+                                           .colour = pic::palette::explicit_euler});
         drawing.ground({.height = -0.45, .spacing = 5});
-        drawing.title("Euler's ball flies too high").caption("solid: Euler, one step every 0.25 s.  ghost: exact");
+        drawing.title("Euler's ball flies too high")
+            .caption("solid: Euler, one step every 0.25 s.  ghost: exact");
         return pic::render(drawing, pic::fit(drawing, {0.12, 0.18, 1}));
     });
 }
@@ -64,63 +89,97 @@ void throw_picture(lab::Report& report) {
 pic::Drawing orbits(const Planet& scene, const Path& points, pic::Colour colour) {
     pic::Drawing drawing;
     drawing.ground({.height = -0.25, .normal = Vector3::UnitZ(), .spacing = 0.5, .unit = "a"});
-    drawing.add(pic::Trail{.points = exact_path(Planet::for_orbits(1), 300), .colour = pic::palette::ink, .dashed = true, .width = 3, .shadow = false});
-    drawing.add(pic::Trail{.points = points, .colour = colour, .width = 2.5, .opacity_at_start = 0.55, .shadow = false});
-    drawing.add(pic::Ball{.centre = {0, 0, 0}, .radius = 0.06, .colour = pic::palette::gold, .shines = true});
+    drawing.add(pic::Trail{.points = exact_path(Planet::for_orbits(1), 300),
+                           .colour = pic::palette::ink,
+                           .dashed = true,
+                           .width = 3,
+                           .shadow = false});
+    drawing.add(pic::Trail{.points = points,
+                           .colour = colour,
+                           .width = 2.5,
+                           .opacity_at_start = 0.55,
+                           .shadow = false});
+    drawing.add(pic::Ball{
+        .centre = {0, 0, 0}, .radius = 0.06, .colour = pic::palette::gold, .shines = true});
     drawing.add(pic::Ball{.centre = points.back(), .radius = 0.06, .colour = colour});
-    drawing.add(pic::Ball{.centre = scene.start.position, .radius = 0.045, .look = pic::Look::ghost});
+    drawing.add(
+        pic::Ball{.centre = scene.start.position, .radius = 0.045, .look = pic::Look::ghost});
     return drawing;
 }
 
 void planet_picture(lab::Report& report) {
-    const long euler_steps = 1000, verlet_steps = 100;   // a year: Euler gets ten times as many
+    const long euler_steps = 1000, verlet_steps = 100;  // a year: Euler gets ten times as many
     const Planet few = Planet::for_orbits(6), many = Planet::for_orbits(20);
-    const Path euler_path = path(few, euler_method, 6 * euler_steps), verlet_path = path(many, verlet_method, 20 * verlet_steps);
-    const pic::Note note{report.command(), "planet, e = 0.6", "Euler, 6 years; Verlet, 20 years", "1/1000 year (Euler), 1/100 year (Verlet)",
-                         {{"Euler, error at the end", few.error(lab::run(few, euler_method, 6 * euler_steps), few.duration), "a"},
-                          {"Verlet, error at the end", many.error(lab::run(many, verlet_method, 20 * verlet_steps), many.duration), "a"}}};
+    const Path euler_path = path(few, euler_method, 6 * euler_steps),
+               verlet_path = path(many, verlet_method, 20 * verlet_steps);
+    const pic::Note note{
+        report.command(),
+        "planet, e = 0.6",
+        "Euler, 6 years; Verlet, 20 years",
+        "1/1000 year (Euler), 1/100 year (Verlet)",
+        {{"Euler, error at the end",
+          few.error(lab::run(few, euler_method, 6 * euler_steps), few.duration), "a"},
+         {"Verlet, error at the end",
+          many.error(lab::run(many, verlet_method, 20 * verlet_steps), many.duration), "a"}}};
     pic::save(report.path("planet.png"), note, [&] {
         const pic::Size half{640, 560};
         const Vector3 from(-0.3, -1.0, 1.5);
         const pic::Fit how{.margin = 0.05, .up = Vector3::UnitZ()};
-        pic::Drawing left = orbits(few, euler_path, pic::palette::explicit_euler), right = orbits(many, verlet_path, pic::palette::symplectic);
+        pic::Drawing left = orbits(few, euler_path, pic::palette::explicit_euler),
+                     right = orbits(many, verlet_path, pic::palette::symplectic);
         return pic::side_by_side(pic::render(left, pic::fit(left, from, half, how), half),
                                  pic::render(right, pic::fit(right, from, half, how), half),
                                  "Euler, 1000 steps a year", "Verlet, 100 steps a year");
     });
 }
 
-/// The last part of the throw on five machines: with a step that follows the frame, or with fixed steps and drawing
-/// between them.
+/// The last part of the throw on five machines: with a step that follows the frame, or with fixed
+/// steps and drawing between them.
 pic::Drawing landings(bool fixed_step) {
     const ThrownBall scene;
-    const double from = 2.85;   // [s]
+    const double from = 2.85;  // [s]
     pic::Drawing drawing;
     drawing.ground({.height = -1.1, .spacing = 1});
     Path exact;
-    for (double t = from; t <= scene.duration; t += 0.005) exact.push_back(scene.exact(t).position);
-    drawing.add(pic::Trail{.points = exact, .colour = pic::palette::ink, .dashed = true, .width = 3, .shadow = false});
+    for (double t = from; t <= scene.duration; t += 0.005)
+        exact.push_back(scene.exact(t).position);
+    drawing.add(pic::Trail{.points = exact,
+                           .colour = pic::palette::ink,
+                           .dashed = true,
+                           .width = 3,
+                           .shadow = false});
     for (const Machine& machine : machines()) {
         Path points;
         play(machine, [&](const Shown& shown) {
             if (shown.time >= from) points.push_back(fixed_step ? shown.fixed : shown.following);
         });
         drawing.add(pic::Trail{.points = points, .colour = pic::palette::symplectic, .width = 3});
-        drawing.add(pic::Ball{.centre = points.back(), .radius = 0.06, .colour = pic::palette::symplectic});
-        const double side = machine.ragged > 0 ? -0.42 : 0.12;   // beside its ball, off the neighbour's
-        if (!fixed_step) drawing.add(pic::Label{.at = points.back() + Vector3(side, 0, 0), .text = machine.label});
+        drawing.add(pic::Ball{
+            .centre = points.back(), .radius = 0.06, .colour = pic::palette::symplectic});
+        const double side =
+            machine.ragged > 0 ? -0.42 : 0.12;  // beside its ball, off the neighbour's
+        if (!fixed_step)
+            drawing.add(
+                pic::Label{.at = points.back() + Vector3(side, 0, 0), .text = machine.label});
     }
-    if (fixed_step) drawing.add(pic::Label{.at = scene.exact(scene.duration).position + Vector3(0.12, 0, 0), .text = "all five"});
+    if (fixed_step)
+        drawing.add(pic::Label{.at = scene.exact(scene.duration).position + Vector3(0.12, 0, 0),
+                               .text = "all five"});
     return drawing;
 }
 
 void game_loop_picture(lab::Report& report) {
-    const pic::Note note{report.command(), "the end of a throw, on five machines", "semi-implicit Euler", "the frame's, or fixed 1/120 s", {}};
+    const pic::Note note{report.command(),
+                         "the end of a throw, on five machines",
+                         "semi-implicit Euler",
+                         "the frame's, or fixed 1/120 s",
+                         {}};
     pic::save(report.path("game_loop.png"), note, [&] {
         const pic::Size half{640, 560};
         pic::Drawing left = landings(false), right = landings(true);
         const pic::Camera camera = pic::fit(left, {0.1, 0.12, 1}, half);
-        return pic::side_by_side(pic::render(left, camera, half), pic::render(right, camera, half), "step follows the frame",
+        return pic::side_by_side(pic::render(left, camera, half),
+                                 pic::render(right, camera, half), "step follows the frame",
                                  "fixed step, drawn between");
     });
 }
@@ -131,15 +190,25 @@ void cover(lab::Report& report) {
     const Planet scene = Planet::for_orbits(orbits_drawn);
     const pic::Note note{report.command(), "planet, e = 0.6", "Verlet", "1/80 orbit", {}};
     pic::save(report.path("cover.png"), note, [&] {
-        const Path points = path(scene, verlet_method, static_cast<long>(orbits_drawn) * steps_an_orbit);
+        const Path points =
+            path(scene, verlet_method, static_cast<long>(orbits_drawn) * steps_an_orbit);
         pic::Drawing drawing;
         drawing.ground({.height = -0.3, .normal = Vector3::UnitZ(), .spacing = 0.5, .unit = "a"});
-        drawing.add(pic::Trail{.points = points, .colour = pic::palette::symplectic, .width = 2, .opacity_at_start = 0.25});
-        drawing.add(pic::Ball{.centre = {0, 0, 0}, .radius = 0.13, .colour = pic::palette::gold, .shines = true});
+        drawing.add(pic::Trail{.points = points,
+                               .colour = pic::palette::symplectic,
+                               .width = 2,
+                               .opacity_at_start = 0.25});
+        drawing.add(pic::Ball{
+            .centre = {0, 0, 0}, .radius = 0.13, .colour = pic::palette::gold, .shines = true});
         const long last_orbit = static_cast<long>(points.size()) - steps_an_orbit;
         for (long n = last_orbit; n < static_cast<long>(points.size()); n += 4)
-            drawing.add(pic::Ball{.centre = points[static_cast<std::size_t>(n)], .radius = 0.05, .colour = pic::palette::body});
-        return pic::render(drawing, pic::fit(drawing, {-0.4, -1.3, 0.8}, {1200, 560}, {.margin = 0.03, .up = Vector3::UnitZ()}), {1200, 560});
+            drawing.add(pic::Ball{.centre = points[static_cast<std::size_t>(n)],
+                                  .radius = 0.05,
+                                  .colour = pic::palette::body});
+        return pic::render(drawing,
+                           pic::fit(drawing, {-0.4, -1.3, 0.8}, {1200, 560},
+                                    {.margin = 0.03, .up = Vector3::UnitZ()}),
+                           {1200, 560});
     });
 }
 

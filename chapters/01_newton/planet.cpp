@@ -20,10 +20,11 @@ std::vector<lab::Entry<Planet>> methods() {
 /// What the page says of one method, over 20 orbits.
 struct History {
     std::string name, key;
-    std::vector<double> orbits, energy, momentum;   // relative changes, against time in orbits
+    std::vector<double> orbits, energy, momentum;  // relative changes, against time in orbits
     double largest_energy = 0, largest_momentum = 0, turn = 0;
-    double tilt = 0;   // of the first ellipse: direction of the first aphelion, against the exact one [rad]
-    double year = 0;   // its length over the exact one, minus 1
+    double tilt =
+        0;  // of the first ellipse: direction of the first aphelion, against the exact one [rad]
+    double year = 0;  // its length over the exact one, minus 1
 };
 
 template <class Method>
@@ -35,24 +36,30 @@ History history_of(const std::string& name, const std::string& key, const Method
     Aphelia aphelia;
     lab::run(scene, method, 21 * steps_an_orbit, [&](const PointMass& planet, double t) {
         const double energy_change = (scene.energy(planet) - energy) / std::abs(energy);
-        const double momentum_change = (angular_momentum(planet) - momentum).norm() / momentum.norm();
-        h.orbits.push_back(t / (2 * pi)), h.energy.push_back(energy_change), h.momentum.push_back(momentum_change);
+        const double momentum_change =
+            (angular_momentum(planet) - momentum).norm() / momentum.norm();
+        h.orbits.push_back(t / (2 * pi)), h.energy.push_back(energy_change),
+            h.momentum.push_back(momentum_change);
         h.largest_energy = std::max(h.largest_energy, std::abs(energy_change));
         h.largest_momentum = std::max(h.largest_momentum, momentum_change);
         aphelia.look(planet.position);
     });
     if (key == "euler") return h;
     h.turn = aphelia.turn_per_orbit();
-    h.tilt = std::remainder(aphelia.angles.front() - pi, 2 * pi) - h.turn / 2;   // half a turn belongs to the first half year
+    h.tilt = std::remainder(aphelia.angles.front() - pi, 2 * pi) -
+             h.turn / 2;  // half a turn belongs to the first half year
     h.year = aphelia.samples_per_orbit() / steps_an_orbit - 1;
     return h;
 }
 
 void conservation(lab::Report& report) {
-    const std::vector<History> histories{history_of("Euler", "euler", euler_method),
-                                         history_of("semi-implicit Euler", "semi_implicit", semi_implicit_euler_method),
-                                         history_of("Verlet", "verlet", verlet_method)};
-    lab::Table table{{"method", "energy, largest change", "angular momentum, largest change", "axis turns [rad/orbit]"}, {}};
+    const std::vector<History> histories{
+        history_of("Euler", "euler", euler_method),
+        history_of("semi-implicit Euler", "semi_implicit", semi_implicit_euler_method),
+        history_of("Verlet", "verlet", verlet_method)};
+    lab::Table table{{"method", "energy, largest change", "angular momentum, largest change",
+                      "axis turns [rad/orbit]"},
+                     {}};
     lab::Table data{{"orbits", "method", "energy_change", "angular_momentum_change"}, {}};
     lab::Chart energy;
     energy.title = "Who keeps the energy?";
@@ -70,14 +77,16 @@ void conservation(lab::Report& report) {
             report.number("planet." + h.key + ".year_too_long", h.year);
         }
         for (std::size_t i = 0; i < h.orbits.size(); i += 10)
-            data.add({lab::exact_digits(h.orbits[i]), h.name, lab::exact_digits(h.energy[i]), lab::exact_digits(h.momentum[i])});
+            data.add({lab::exact_digits(h.orbits[i]), h.name, lab::exact_digits(h.energy[i]),
+                      lab::exact_digits(h.momentum[i])});
         lab::Series series{h.name};
         for (std::size_t i = 0; i < h.orbits.size() && h.orbits[i] <= 5; ++i)
             series.x.push_back(h.orbits[i]), series.y.push_back(h.energy[i]);
         series.draw = lab::Draw::line;
         energy.series.push_back(std::move(series));
     }
-    report.number("planet.energy_ratio", histories[1].largest_energy / histories[2].largest_energy);
+    report.number("planet.energy_ratio",
+                  histories[1].largest_energy / histories[2].largest_energy);
     report.print(table);
     report.data("planet_conservation.csv", data);
     lab::write_svg(energy, report.path("planet_energy.svg"));
@@ -85,14 +94,17 @@ void conservation(lab::Report& report) {
 
 void orders(lab::Report& report) {
     const Planet scene;
-    lab::Table table{{"method", "order by largest error", "order by error after whole orbits"}, {}};
+    lab::Table table{{"method", "order by largest error", "order by error after whole orbits"},
+                     {}};
     lab::Chart chart;
     chart.title = "A first-order method in a second-order coat";
-    chart.subtitle = "Planet, one orbit: the largest error on the way, and the error at the end of the orbit.";
+    chart.subtitle =
+        "Planet, one orbit: the largest error on the way, and the error at the end of the orbit.";
     chart.x = {"step dt [year/2π]", lab::Scale::logarithmic};
     chart.y = {"position error [a]", lab::Scale::logarithmic};
     chart.guides = {1, 2};
-    const auto study = [&](const std::string& name, const std::string& key, const auto& method, long fewest) {
+    const auto study = [&](const std::string& name, const std::string& key, const auto& method,
+                           long fewest) {
         lab::Series largest{name + " (largest)"}, at_end{name + " (at the end)"};
         largest.style = name;
         for (long steps = fewest; steps <= 8 * fewest; steps *= 2) {
@@ -100,11 +112,13 @@ void orders(lab::Report& report) {
             largest.x.push_back(m.dt), at_end.x.push_back(m.dt);
             largest.y.push_back(m.max_error), at_end.y.push_back(m.final_error);
         }
-        const double by_largest = lab::observed_order(largest.x, largest.y), by_end = lab::observed_order(at_end.x, at_end.y);
+        const double by_largest = lab::observed_order(largest.x, largest.y),
+                     by_end = lab::observed_order(at_end.x, at_end.y);
         table.add({name, lab::rounded(by_largest, "%.3f"), lab::rounded(by_end, "%.3f")});
         report.number("planet." + key + ".order", by_largest);
         report.number("planet." + key + ".order_at_end", by_end);
-        if (key == "semi_implicit") report.number("planet.disguise", largest.y.back() / at_end.y.back());
+        if (key == "semi_implicit")
+            report.number("planet.disguise", largest.y.back() / at_end.y.back());
         if (key == "euler") return;
         chart.series.push_back(std::move(largest)), chart.series.push_back(std::move(at_end));
     };
@@ -117,41 +131,52 @@ void orders(lab::Report& report) {
 
 void cost(lab::Report& report) {
     const Planet scene = Planet::for_orbits(3);
-    const std::string need = scene.need.reason + " (" + lab::rounded(scene.need.tolerance) + " a) for three orbits";
+    const std::string need =
+        scene.need.reason + " (" + lab::rounded(scene.need.tolerance) + " a) for three orbits";
     const auto ways = lab::ways_to_meet(scene, methods(), 100, 400'000);
-    report.say("Needs " + need + ". The least that gives it (Euler does not with 400 000 steps):");
+    report.say("Needs " + need +
+               ". The least that gives it (Euler does not with 400 000 steps):");
     report.print(lab::ways_table(ways, scene.need));
     report.number("planet.need", scene.need.tolerance, "a");
     for (const auto& way : ways) {
-        const std::string key = way.method == "Verlet" ? "verlet" : way.method == "Euler" ? "euler" : "semi_implicit";
-        report.number("planet." + key + ".steps_an_orbit", static_cast<double>(way.run.steps) / 3);
-        report.number("planet." + key + ".microseconds_an_orbit", way.run.seconds_per_second * 2 * pi * 1e6, "us");
+        const std::string key = way.method == "Verlet"  ? "verlet"
+                                : way.method == "Euler" ? "euler"
+                                                        : "semi_implicit";
+        report.number("planet." + key + ".steps_an_orbit",
+                      static_cast<double>(way.run.steps) / 3);
+        report.number("planet." + key + ".microseconds_an_orbit",
+                      way.run.seconds_per_second * 2 * pi * 1e6, "us");
     }
     const auto floor = lab::machine_floor();
     report.number("machine.multiply_add", floor.multiply_add * 1e9, "ns");
     report.number("machine.square_root", floor.square_root * 1e9, "ns");
 
-    const auto curves = lab::work_precision(scene, methods(), {300, 600, 1200, 2400, 4800, 9600, 19200, 38400, 76800});
+    const auto curves = lab::work_precision(
+        scene, methods(), {300, 600, 1200, 2400, 4800, 9600, 19200, 38400, 76800});
     report.data("planet.csv", lab::work_precision_data(curves));
     for (const auto axis : {lab::Cost::evaluations, lab::Cost::time}) {
         lab::Chart chart = lab::work_precision_chart(curves, scene.need, axis);
         chart.title = "Which method gives a pixel for the least work?";
         chart.subtitle = "Planet, e = 0.6, three orbits. Down and left is better.";
         chart.guides = {-1, -2};
-        lab::write_svg(chart, report.path(axis == lab::Cost::evaluations ? "planet.svg" : "planet_time.svg"));
+        lab::write_svg(chart, report.path(axis == lab::Cost::evaluations ? "planet.svg"
+                                                                         : "planet_time.svg"));
     }
     const auto& finest = curves[2].runs.back();
     const double per_step = finest.seconds_per_second * finest.dt;
     report.number("planet.verlet.nanoseconds_a_step", per_step * 1e9, "ns");
     report.number("planet.verlet.step_over_floor", per_step / floor.square_root);
-    report.say("A Verlet step takes " + lab::rounded(per_step * 1e9) + " ns; one square root and division that wait for each other, the heart of its force, take " +
+    report.say("A Verlet step takes " + lab::rounded(per_step * 1e9) +
+               " ns; one square root and division that wait for each other, the heart of its "
+               "force, take " +
                lab::rounded(floor.square_root * 1e9) + " ns here.");
 }
 
 }  // namespace
 
 void planet(lab::Report& report) {
-    report.heading("Planet: e = 0.6, " + std::to_string(steps_an_orbit) + " steps an orbit, 21 orbits");
+    report.heading("Planet: e = 0.6, " + std::to_string(steps_an_orbit) +
+                   " steps an orbit, 21 orbits");
     report.number("planet.steps_an_orbit", steps_an_orbit);
     conservation(report);
     orders(report);

@@ -19,7 +19,8 @@ std::vector<lab::Entry<Scene>> methods() {
 
 void straight_line(lab::Report& report) {
     const StraightLine scene;
-    report.heading("Straight line: no force, " + lab::rounded(scene.duration) + " s in 100 steps");
+    report.heading("Straight line: no force, " + lab::rounded(scene.duration) +
+                   " s in 100 steps");
     lab::Table table{{"method", "largest error [m]"}, {}};
     double largest = 0;
     for (const auto& method : methods<StraightLine>()) {
@@ -33,12 +34,17 @@ void straight_line(lab::Report& report) {
     // eq. (1) on a curved path: the forward difference belongs to the middle of its interval
     const ThrownBall ball;
     const double t = 1, dt = 0.5;
-    const Vector3 difference = velocity_between(ball.exact(t).position, ball.exact(t + dt).position, dt);
-    report.number("line.difference_minus_start", (difference - ball.exact(t).velocity).norm(), "m/s");
-    report.number("line.difference_minus_middle", (difference - ball.exact(t + dt / 2).velocity).norm(), "m/s");
-    report.say("Velocity of a thrown ball from two positions " + lab::rounded(dt) + " s apart: off by " +
-               lab::rounded((difference - ball.exact(t).velocity).norm()) + " m/s from that of the start, by " +
-               lab::rounded((difference - ball.exact(t + dt / 2).velocity).norm()) + " m/s from that of the middle.");
+    const Vector3 difference =
+        velocity_between(ball.exact(t).position, ball.exact(t + dt).position, dt);
+    report.number("line.difference_minus_start", (difference - ball.exact(t).velocity).norm(),
+                  "m/s");
+    report.number("line.difference_minus_middle",
+                  (difference - ball.exact(t + dt / 2).velocity).norm(), "m/s");
+    report.say("Velocity of a thrown ball from two positions " + lab::rounded(dt) +
+               " s apart: off by " + lab::rounded((difference - ball.exact(t).velocity).norm()) +
+               " m/s from that of the start, by " +
+               lab::rounded((difference - ball.exact(t + dt / 2).velocity).norm()) +
+               " m/s from that of the middle.");
 }
 
 void thrown_ball(lab::Report& report) {
@@ -46,32 +52,41 @@ void thrown_ball(lab::Report& report) {
     const double dt = 1.0 / 60;
     const long steps = lab::steps_of(scene.duration, dt);
     report.heading("Thrown ball: " + lab::rounded(scene.duration) + " s in steps of 1/60 s");
-    lab::Table table{{"method", "computed - exact, up [m]", "the law says [m]", "off the law by [m]"}, {}};
+    lab::Table table{
+        {"method", "computed - exact, up [m]", "the law says [m]", "off the law by [m]"}, {}};
     const auto compare = [&](const char* name, const char* key, Method law, const auto& method) {
-        const double error = (lab::run(scene, method, steps).position - scene.exact(scene.duration).position).y();
+        const double error =
+            (lab::run(scene, method, steps).position - scene.exact(scene.duration).position).y();
         const double predicted = throw_error(law, gravity, scene.duration, dt).y();
-        table.add({name, lab::rounded(error, "%.6f"), lab::rounded(predicted, "%.6f"), lab::rounded(std::abs(error - predicted))});
+        table.add({name, lab::rounded(error, "%.6f"), lab::rounded(predicted, "%.6f"),
+                   lab::rounded(std::abs(error - predicted))});
         report.number(std::string("throw.") + key + ".error", error, "m");
-        report.number(std::string("throw.") + key + ".off_the_law", std::abs(error - predicted), "m");
+        report.number(std::string("throw.") + key + ".off_the_law", std::abs(error - predicted),
+                      "m");
     };
     compare("Euler", "euler", Method::euler, euler_method);
-    compare("semi-implicit Euler", "semi_implicit", Method::semi_implicit_euler, semi_implicit_euler_method);
+    compare("semi-implicit Euler", "semi_implicit", Method::semi_implicit_euler,
+            semi_implicit_euler_method);
     compare("Verlet", "verlet", Method::verlet, verlet_method);
     report.print(table);
 
     const auto ways = lab::ways_to_meet(scene, methods<ThrownBall>());
-    report.say("Needs " + scene.need.reason + " (" + lab::rounded(scene.need.tolerance) + " m). The least that gives it:");
+    report.say("Needs " + scene.need.reason + " (" + lab::rounded(scene.need.tolerance) +
+               " m). The least that gives it:");
     report.print(lab::ways_table(ways, scene.need));
     report.number("throw.need", scene.need.tolerance, "m");
     report.number("throw.duration", scene.duration, "s");
     for (const auto& way : ways) {
-        const std::string key = way.method == "Verlet" ? "verlet" : way.method == "Euler" ? "euler" : "semi_implicit";
+        const std::string key = way.method == "Verlet"  ? "verlet"
+                                : way.method == "Euler" ? "euler"
+                                                        : "semi_implicit";
         report.number("throw." + key + ".steps", static_cast<double>(way.run.steps));
         report.number("throw." + key + ".step", way.run.dt, "s");
         report.number("throw." + key + ".evaluations", static_cast<double>(way.run.evaluations));
     }
 
-    const auto curves = lab::work_precision(scene, methods<ThrownBall>(), {3, 6, 12, 30, 90, 180, 432, 1000, 3000, 10000}, false);
+    const auto curves = lab::work_precision(
+        scene, methods<ThrownBall>(), {3, 6, 12, 30, 90, 180, 432, 1000, 3000, 10000}, false);
     report.data("throw.csv", lab::work_precision_data(curves));
     lab::Chart chart = lab::work_precision_chart(curves, scene.need, lab::Cost::evaluations);
     chart.title = "One method has nothing to improve";

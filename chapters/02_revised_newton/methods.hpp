@@ -1,4 +1,5 @@
-// Chapter 1's methods on a list, and how this chapter's parts report the least that meets a scene's need.
+// Chapter 1's methods on a list, and how this chapter's parts report the least that meets a
+// scene's need.
 #pragma once
 #include <nutshell/lab/work_chart.hpp>
 #include <nutshell/newton_methods.hpp>
@@ -16,16 +17,23 @@ std::vector<lab::Entry<Scene>> methods() {
 inline std::string key_of(const std::string& method) {
     std::string key;
     for (const char c : method)
-        if (c == ' ' || c == '-') key += '_';
-        else if (c != ',') key += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+        if (c == ' ' || c == '-')
+            key += '_';
+        else if (c != ',')
+            key += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
     return key;
 }
 
-/// Prints the ways to meet the scene's need and keeps their numbers as SCENE.METHOD.steps and so on.
+/// Prints the ways to meet the scene's need and keeps their numbers as SCENE.METHOD.steps and so
+/// on.
 inline void report_ways(lab::Report& report, const std::string& scene, const Need& need,
                         const std::vector<lab::Choice>& ways) {
-    const std::string needs = "Needs " + need.reason + " (" + lab::rounded(need.tolerance) + " " + need.unit + "). ";
-    report.say(needs + (ways.empty() ? "No method gives it, however small the step: look for a wrong formula." : "The least that gives it:"));
+    const std::string needs =
+        "Needs " + need.reason + " (" + lab::rounded(need.tolerance) + " " + need.unit + "). ";
+    report.say(needs +
+               (ways.empty()
+                    ? "No method gives it, however small the step: look for a wrong formula."
+                    : "The least that gives it:"));
     if (!ways.empty()) report.print(lab::ways_table(ways, need));
     report.number(scene + ".need", need.tolerance, need.unit);
     for (const auto& way : ways) {

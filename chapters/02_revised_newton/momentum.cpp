@@ -1,6 +1,6 @@
 // The throw of chapter 1 in momentum, and many forces at once.
-#include <nutshell/revised_newton_scenes.hpp>
 #include <algorithm>
+#include <nutshell/revised_newton_scenes.hpp>
 #include "methods.hpp"
 #include "program.hpp"
 
@@ -9,15 +9,18 @@ namespace nutshell {
 void momentum_throw(lab::Report& report) {
     const long steps = 180;
     report.heading("The same throw in momentum: 3 s in steps of 1/60 s");
-    lab::Table table{{"mass [kg]", "method", "position, difference [m]", "velocity, difference [m/s]"}, {}};
+    lab::Table table{
+        {"mass [kg]", "method", "position, difference [m]", "velocity, difference [m/s]"}, {}};
     double same_bits = 0, any_mass = 0;
     const auto compare = [&](double mass, const char* name, const auto& method) {
         const MomentumThrow scene = MomentumThrow::of_mass(mass);
         const PointMass one = lab::run(scene.ball, method, steps);
         const Particle other = lab::run(scene, method, steps);
-        const double place = (one.position - other.position).norm(), speed = (one.velocity - velocity(other)).norm();
+        const double place = (one.position - other.position).norm(),
+                     speed = (one.velocity - velocity(other)).norm();
         table.add({lab::rounded(mass), name, lab::rounded(place), lab::rounded(speed)});
-        (mass == 2 ? same_bits : any_mass) = std::max(mass == 2 ? same_bits : any_mass, std::max(place, speed));
+        (mass == 2 ? same_bits : any_mass) =
+            std::max(mass == 2 ? same_bits : any_mass, std::max(place, speed));
     };
     for (const double mass : {2.0, 7.0}) {
         compare(mass, "Euler", euler_method);
@@ -44,14 +47,17 @@ void many_forces(lab::Report& report) {
         ++orders;
         spread = std::max(spread, distance(lab::run(scene, verlet_method, steps), first));
     } while (std::next_permutation(scene.order.begin(), scene.order.end()));
-    report.say("The forces' sizes add up to " + lab::rounded(sizes, "%.0f") + " N; the ropes' sum is " + lab::rounded(net.norm()) +
-               " N. In " + std::to_string(orders) + " orders of the list the ring ends within " + lab::rounded(spread) + " m of the same place.");
+    report.say("The forces' sizes add up to " + lab::rounded(sizes, "%.0f") +
+               " N; the ropes' sum is " + lab::rounded(net.norm()) + " N. In " +
+               std::to_string(orders) + " orders of the list the ring ends within " +
+               lab::rounded(spread) + " m of the same place.");
     report.number("forces.sum_of_sizes", sizes, "N");
     report.number("forces.net_of_ropes", net.norm(), "N");
     report.number("forces.orders", orders);
     report.number("forces.spread", spread, "m");
     report.number("forces.path", first.position.norm(), "m");
-    report_ways(report, "forces", scene.need, lab::ways_to_meet(ManyForces{}, methods<ManyForces>()));
+    report_ways(report, "forces", scene.need,
+                lab::ways_to_meet(ManyForces{}, methods<ManyForces>()));
 }
 
 }  // namespace nutshell

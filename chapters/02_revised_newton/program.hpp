@@ -1,4 +1,5 @@
-// The parts of chapter 2's program: each runs a scene, prints what it found, and writes its data, charts and pictures.
+// The parts of chapter 2's program: each runs a scene, prints what it found, and writes its data,
+// charts and pictures.
 #pragma once
 #include <nutshell/lab/output.hpp>
 

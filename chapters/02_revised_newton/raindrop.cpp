@@ -11,13 +11,16 @@ void raindrop(lab::Report& report) {
     const double T = drop.duration, dt = T / steps;
     report.heading("Raindrop: 10 mg grows to 50 mg in 4 s, steps of 0.1 s");
     const Particle exact = drop.exact(T);
-    const double weight_sum = drop.m0 * T + drop.beta * T * (T - dt) / 2, trapezium = drop.m0 * T + drop.beta * T * T / 2;
-    lab::Table table{{"method", "K down [g m/s]", "the law says [g m/s]", "off the law by [g m/s]", "position, off by [m]"}, {}};
+    const double weight_sum = drop.m0 * T + drop.beta * T * (T - dt) / 2,
+                 trapezium = drop.m0 * T + drop.beta * T * T / 2;
+    lab::Table table{{"method", "K down [g m/s]", "the law says [g m/s]",
+                      "off the law by [g m/s]", "position, off by [m]"},
+                     {}};
     const auto compare = [&](const char* name, const char* key, double law, const auto& method) {
         const VariableMass end = lab::run(drop, method, steps);
         const double K = -1e3 * end.momentum.y(), says = -1e3 * gravity.y() * law;
-        table.add({name, lab::rounded(K, "%.6f"), lab::rounded(says, "%.6f"), lab::rounded(std::abs(K - says)),
-                   lab::rounded(distance(end, exact))});
+        table.add({name, lab::rounded(K, "%.6f"), lab::rounded(says, "%.6f"),
+                   lab::rounded(std::abs(K - says)), lab::rounded(distance(end, exact))});
         report.number(std::string("drop.") + key + ".K", K, "g m/s");
         report.number(std::string("drop.") + key + ".off_the_law", std::abs(K - says), "g m/s");
         report.number(std::string("drop.") + key + ".off_at_40", distance(end, exact), "m");
@@ -35,12 +38,16 @@ void raindrop(lab::Report& report) {
     report.number("drop.fall", drop.start.position.y() - exact.position.y(), "m");
     report.number("drop.free_fall", -gravity.y() * T * T / 2, "m");
     const double late = 1000;
-    report.number("drop.late_acceleration", -(velocity(drop.exact(late + 1)) - velocity(drop.exact(late))).y(), "m/s^2");
-    report.say("After 4 s it falls at " + lab::rounded(-v.y(), "%.2f") + " m/s; a stone at " + lab::rounded(-gravity.y() * T, "%.2f") +
-               " m/s. Its sideways speed is down from 3 to " + lab::rounded(v.x(), "%.2f") + " m/s.");
+    report.number("drop.late_acceleration",
+                  -(velocity(drop.exact(late + 1)) - velocity(drop.exact(late))).y(), "m/s^2");
+    report.say("After 4 s it falls at " + lab::rounded(-v.y(), "%.2f") + " m/s; a stone at " +
+               lab::rounded(-gravity.y() * T, "%.2f") +
+               " m/s. Its sideways speed is down from 3 to " + lab::rounded(v.x(), "%.2f") +
+               " m/s.");
 
     report_ways(report, "drop", drop.need, lab::ways_to_meet(drop, methods<Raindrop>()));
-    const auto curves = lab::work_precision(drop, methods<Raindrop>(), {5, 10, 20, 50, 100, 300, 1000, 3000, 10000, 30000});
+    const auto curves = lab::work_precision(drop, methods<Raindrop>(),
+                                            {5, 10, 20, 50, 100, 300, 1000, 3000, 10000, 30000});
     report.data("raindrop.csv", lab::work_precision_data(curves));
     lab::Chart chart = lab::work_precision_chart(curves, drop.need, lab::Cost::evaluations);
     chart.title = "The printed step works; half a kick works better";

@@ -2,14 +2,15 @@
 #include "program.hpp"
 
 int main(int argc, char** argv) {
-    return nutshell::lab::program(argc, argv, "02_revised_newton", [](nutshell::lab::Report& report) {
-        nutshell::momentum_throw(report);
-        nutshell::many_forces(report);
-        nutshell::leaky_cart(report);
-        nutshell::raindrop(report);
-        nutshell::rocket(report);
-        nutshell::launch(report);
-        nutshell::momentum_books(report);
-        nutshell::pictures(report);
-    });
+    return nutshell::lab::program(argc, argv, "02_revised_newton",
+                                  [](nutshell::lab::Report& report) {
+                                      nutshell::momentum_throw(report);
+                                      nutshell::many_forces(report);
+                                      nutshell::leaky_cart(report);
+                                      nutshell::raindrop(report);
+                                      nutshell::rocket(report);
+                                      nutshell::launch(report);
+                                      nutshell::momentum_books(report);
+                                      nutshell::pictures(report);
+                                  });
 }

@@ -7,7 +7,8 @@ namespace nutshell {
 
 namespace {
 
-/// The speed a rocket gains, over its exhaust speed, when it throws all but 1/ratio of itself in n parcels.
+/// The speed a rocket gains, over its exhaust speed, when it throws all but 1/ratio of itself in
+/// n parcels.
 double gain_in_parcels(double ratio, long n, bool midway_parcels) {
     Rocket rocket;
     rocket.duration = rocket.start.mass * (1 - 1 / ratio) / -rocket.start.flow.rate;
@@ -23,10 +24,12 @@ void gain_chart(lab::Report& report) {
     chart.y = {"speed gained, in exhaust speeds", lab::Scale::linear, 0, 4};
     lab::Series five{"5 parcels"}, fifty{"50 parcels"}, formula{"formula"};
     lab::Table data{{"mass_ratio", "parcels_5", "parcels_50", "formula"}, {}};
-    for (const double ratio : {1.25, 1.6, 2.0, 2.5, 3.2, 4.0, 5.0, 6.4, 8.0, 10.0, 13.0, 16.0, 20.0}) {
+    for (const double ratio :
+         {1.25, 1.6, 2.0, 2.5, 3.2, 4.0, 5.0, 6.4, 8.0, 10.0, 13.0, 16.0, 20.0}) {
         five.x.push_back(ratio), five.y.push_back(gain_in_parcels(ratio, 5, false));
         fifty.x.push_back(ratio), fifty.y.push_back(gain_in_parcels(ratio, 50, false));
-        data.add({lab::exact_digits(ratio), lab::exact_digits(five.y.back()), lab::exact_digits(fifty.y.back()),
+        data.add({lab::exact_digits(ratio), lab::exact_digits(five.y.back()),
+                  lab::exact_digits(fifty.y.back()),
                   lab::exact_digits(rocket_gain(1, ratio, 1))});
     }
     for (int i = 0; i <= 60; ++i) {
@@ -46,13 +49,15 @@ void rocket(lab::Report& report) {
     const Rocket before, midway_rocket = Rocket::with_midway(before);
     const double u = before.start.flow.velocity.norm(), gain = rocket_gain(u, 10, 2.5);
     report.heading("Rocket: 10 kg down to 2.5 kg, exhaust at 100 m/s, no gravity");
-    lab::Table table{{"parcels", "speed [m/s]", "off by", "measured from the mean [m/s]", "off by"}, {}};
+    lab::Table table{
+        {"parcels", "speed [m/s]", "off by", "measured from the mean [m/s]", "off by"}, {}};
     report.number("rocket.gain", gain, "m/s");
     for (const long n : {1L, 3L, 15L, 150L, 1500L}) {
         const double speed = velocity(lab::run(before, euler_method, n)).x();
         const double mean = velocity(lab::run(midway_rocket, euler_method, n)).x();
-        table.add({std::to_string(n), lab::rounded(speed, "%.4f"), lab::rounded(100 * (speed / gain - 1), "%+.4f %%"),
-                   lab::rounded(mean, "%.4f"), lab::rounded(100 * (mean / gain - 1), "%+.4f %%")});
+        table.add({std::to_string(n), lab::rounded(speed, "%.4f"),
+                   lab::rounded(100 * (speed / gain - 1), "%+.4f %%"), lab::rounded(mean, "%.4f"),
+                   lab::rounded(100 * (mean / gain - 1), "%+.4f %%")});
         report.number("rocket.speed_" + std::to_string(n), speed, "m/s");
         report.number("rocket.midway_" + std::to_string(n), mean, "m/s");
         report.number("rocket.off_" + std::to_string(n), speed / gain - 1);
@@ -68,17 +73,21 @@ void rocket(lab::Report& report) {
     const std::vector<lab::Entry<Rocket>> ways{
         lab::entry<Rocket>("from the speed before", euler_method),
         {"from the mean speed",
-         [](const Rocket& scene, long steps) { return lab::measure(Rocket::with_midway(scene), euler_method, steps); },
+         [](const Rocket& scene, long steps) {
+             return lab::measure(Rocket::with_midway(scene), euler_method, steps);
+         },
          [](const Rocket& scene, long steps) {
              const Rocket other = Rocket::with_midway(scene);
              return lab::time_of([&] { lab::keep(lab::run(other, euler_method, steps)); });
          }}};
     report_ways(report, "rocket", before.need, lab::ways_to_meet(before, ways));
-    const auto curves = lab::work_precision(before, ways, {1, 3, 10, 30, 100, 300, 1000, 3000, 10000}, false);
+    const auto curves =
+        lab::work_precision(before, ways, {1, 3, 10, 30, 100, 300, 1000, 3000, 10000}, false);
     report.data("rocket.csv", lab::work_precision_data(curves));
     lab::Chart chart = lab::work_precision_chart(curves, before.need, lab::Cost::evaluations);
     chart.title = "Both balance the books to the last digit";
-    chart.subtitle = "Rocket. Each parcel measured from the speed before it leaves, or from the mean.";
+    chart.subtitle =
+        "Rocket. Each parcel measured from the speed before it leaves, or from the mean.";
     chart.x.name = "parcels";
     chart.y.name = "largest error of the speed, over the whole gain";
     chart.guides = {-1, -2};
@@ -91,30 +100,38 @@ void launch(lab::Report& report) {
     const double T = scene.duration;
     report.heading("Launch: a water rocket under gravity, tilted");
     const Particle end = scene.exact(T);
-    const double thrust = (scene.start.flow.rate * scene.start.flow.velocity).norm(), weight = scene.start.mass * gravity.norm();
-    report.say("Thrust " + lab::rounded(thrust) + " N against a weight of " + lab::rounded(weight) + " N. At burnout " +
-               lab::rounded(end.position.y(), "%.2f") + " m up, climbing at " + lab::rounded(velocity(end).y(), "%.2f") + " m/s.");
+    const double thrust = (scene.start.flow.rate * scene.start.flow.velocity).norm(),
+                 weight = scene.start.mass * gravity.norm();
+    report.say("Thrust " + lab::rounded(thrust) + " N against a weight of " +
+               lab::rounded(weight) + " N. At burnout " + lab::rounded(end.position.y(), "%.2f") +
+               " m up, climbing at " + lab::rounded(velocity(end).y(), "%.2f") + " m/s.");
     report.number("launch.thrust", thrust, "N");
     report.number("launch.weight", weight, "N");
     report.number("launch.height", end.position.y(), "m");
     report.number("launch.climb", velocity(end).y(), "m/s");
     report.number("launch.gravity_loss", -gravity.y() * T, "m/s");
     const Rocket in_space;
-    report.number("launch.space_thrust", (in_space.start.flow.rate * in_space.start.flow.velocity).norm(), "N");
+    report.number("launch.space_thrust",
+                  (in_space.start.flow.rate * in_space.start.flow.velocity).norm(), "N");
 
     auto entries = methods<Launch>();
     entries.push_back({"Verlet, midway parcels",
-                       [](const Launch& s, long n) { return lab::measure(Rocket::with_midway(s), VerletFsal<Vector3>{}, n); },
+                       [](const Launch& s, long n) {
+                           return lab::measure(Rocket::with_midway(s), VerletFsal<Vector3>{}, n);
+                       },
                        [](const Launch& s, long n) {
                            const Launch other = Rocket::with_midway(s);
-                           return lab::time_of([&] { lab::keep(lab::run(other, VerletFsal<Vector3>{}, n)); });
+                           return lab::time_of(
+                               [&] { lab::keep(lab::run(other, VerletFsal<Vector3>{}, n)); });
                        }});
     report_ways(report, "launch", scene.need, lab::ways_to_meet(scene, entries));
-    const auto curves = lab::work_precision(scene, entries, {3, 10, 30, 100, 300, 1000, 3000, 10000});
+    const auto curves =
+        lab::work_precision(scene, entries, {3, 10, 30, 100, 300, 1000, 3000, 10000});
     report.data("launch.csv", lab::work_precision_data(curves));
     lab::Chart chart = lab::work_precision_chart(curves, scene.need, lab::Cost::evaluations);
     chart.title = "A chain is as good as its worst link";
-    chart.subtitle = "Launch under gravity, 1.5 s. Second order needs Verlet and midway parcels, both.";
+    chart.subtitle =
+        "Launch under gravity, 1.5 s. Second order needs Verlet and midway parcels, both.";
     chart.guides = {-1, -2};
     lab::write_svg(chart, report.path("launch.svg"));
 }
@@ -122,7 +139,8 @@ void launch(lab::Report& report) {
 namespace {
 
 /// Runs rocket and exhaust, keeps one component of each momentum, and draws the books.
-double books_of(lab::Report& report, const Rocket& flight, Eigen::Index axis, const std::string& file, lab::Chart chart) {
+double books_of(lab::Report& report, const Rocket& flight, Eigen::Index axis,
+                const std::string& file, lab::Chart chart) {
     const RocketBooks books{flight};
     lab::Series rocket{"rocket"}, exhaust{"exhaust"}, total{"total"}, law{"P₀ + m₀ g t"};
     lab::Table data{{"t", "rocket", "exhaust", "total", "law"}, {}};
@@ -131,10 +149,12 @@ double books_of(lab::Report& report, const Rocket& flight, Eigen::Index axis, co
         const Vector3 exact = books.exact_momentum(t);
         worst = std::max(worst, (total_momentum(all) - exact).norm());
         for (auto* series : {&rocket, &exhaust, &total, &law}) series->x.push_back(t);
-        rocket.y.push_back(all.rocket.momentum[axis]), exhaust.y.push_back(exhaust_momentum(all)[axis]);
+        rocket.y.push_back(all.rocket.momentum[axis]),
+            exhaust.y.push_back(exhaust_momentum(all)[axis]);
         total.y.push_back(total_momentum(all)[axis]), law.y.push_back(exact[axis]);
-        data.add({lab::exact_digits(t), lab::exact_digits(rocket.y.back()), lab::exact_digits(exhaust.y.back()),
-                  lab::exact_digits(total.y.back()), lab::exact_digits(law.y.back())});
+        data.add({lab::exact_digits(t), lab::exact_digits(rocket.y.back()),
+                  lab::exact_digits(exhaust.y.back()), lab::exact_digits(total.y.back()),
+                  lab::exact_digits(law.y.back())});
     });
     law.draw = lab::Draw::ghost, law.style = "exact";
     rocket.draw = exhaust.draw = total.draw = lab::Draw::line;
@@ -159,8 +179,9 @@ void momentum_books(lab::Report& report) {
     chart.y.name = "momentum upwards [kg m/s]";
     const double field = books_of(report, Launch{}, 1, "books_gravity", chart);
     const RocketAndExhaust end = lab::run(RocketBooks{}, verlet_method, 300);
-    report.say("Largest error of the sum: " + lab::rounded(space) + " kg m/s in space, " + lab::rounded(field) +
-               " kg m/s under gravity, where single entries reach " + lab::rounded(exhaust_momentum(end).norm()) + " kg m/s.");
+    report.say("Largest error of the sum: " + lab::rounded(space) + " kg m/s in space, " +
+               lab::rounded(field) + " kg m/s under gravity, where single entries reach " +
+               lab::rounded(exhaust_momentum(end).norm()) + " kg m/s.");
     report.number("books.space", space, "kg m/s");
     report.number("books.gravity", field, "kg m/s");
     report.number("books.rocket", end.rocket.momentum.x(), "kg m/s");

@@ -1,5 +1,5 @@
-// A chain and a cloth: how they hang, how close that is to the exact shape, and the step at which they fly
-// apart.
+// A chain and a cloth: how they hang, how close that is to the exact shape, and the step at which
+// they fly apart.
 #include <nutshell/hanging_chain.hpp>
 #include <nutshell/lab/chart.hpp>
 #include <nutshell/picture/picture.hpp>
@@ -13,7 +13,6 @@ namespace pic = picture;
 namespace {
 
 // --- the chain
-// -----------------------------------------------------------------------------------------------------
 
 constexpr double cord_mass = 1, cord_length = 3,
                  cord_stiffness = 40;  // [kg], at rest [m], tension over stretch [N]
@@ -21,7 +20,8 @@ constexpr double cord_mass = 1, cord_length = 3,
 /// The cord cut into links, between two ends at the same height, 2 m apart.
 HangingChain cut_into(std::size_t links) {
     const auto n = static_cast<double>(links);
-    return {links - 1, cord_mass / n, {cord_stiffness * n / cord_length, cord_length / n}, {2, 0}};
+    return {
+        links - 1, cord_mass / n, {cord_stiffness * n / cord_length, cord_length / n}, {2, 0}};
 }
 
 double distance(const Vector3& a, const Vector2& b) {
@@ -35,8 +35,9 @@ double gap(const HangingChain& chain, const Cord& cord) {
     double largest = 0;
     for (std::size_t i = 0; i < points.size(); ++i)
         largest = std::max(
-            largest,
-            (points[i] - cord_point(cord, tension, static_cast<double>(i) * chain.link.rest_length)).norm());
+            largest, (points[i] -
+                      cord_point(cord, tension, static_cast<double>(i) * chain.link.rest_length))
+                         .norm());
     return largest;
 }
 
@@ -45,8 +46,8 @@ Cord inextensible(Cord cord) {
     return cord;
 }
 
-void draw_chain(lab::Report& report, const Particles& hung, const HangingChain& chain, double error,
-                double cosh_gap, double dt) {
+void draw_chain(lab::Report& report, const Particles& hung, const HangingChain& chain,
+                double error, double cosh_gap, double dt) {
     const Vector3 lift(0, 1.75, 0);  // [m], of the two ends above the ground
     pic::Drawing drawing;
     std::vector<Vector3> computed, exact, cosh;
@@ -63,17 +64,22 @@ void draw_chain(lab::Report& report, const Particles& hung, const HangingChain& 
     for (std::size_t i = 0; i + 1 < computed.size(); ++i)
         drawing.add(pic::Rod{.from = computed[i], .to = computed[i + 1], .radius = 0.014});
     for (std::size_t i = 1; i + 1 < computed.size(); ++i) {
-        drawing.add(pic::Ball{.centre = computed[i], .radius = 0.05, .colour = pic::palette::symplectic});
-        drawing.add(pic::Ball{
-            .centre = exact[i], .radius = 0.085, .colour = pic::palette::exact, .look = pic::Look::ghost});
+        drawing.add(
+            pic::Ball{.centre = computed[i], .radius = 0.05, .colour = pic::palette::symplectic});
+        drawing.add(pic::Ball{.centre = exact[i],
+                              .radius = 0.085,
+                              .colour = pic::palette::exact,
+                              .look = pic::Look::ghost});
     }
-    drawing.add(
-        pic::Trail{.points = cosh, .colour = pic::palette::explicit_euler, .dashed = true, .shadow = false});
-    drawing.add(pic::Label{
-        .at = cosh[60] + Vector3(0, 0.2, 0), .text = "cosh", .colour = pic::palette::explicit_euler});
+    drawing.add(pic::Trail{
+        .points = cosh, .colour = pic::palette::explicit_euler, .dashed = true, .shadow = false});
+    drawing.add(pic::Label{.at = cosh[60] + Vector3(0, 0.2, 0),
+                           .text = "cosh",
+                           .colour = pic::palette::explicit_euler});
     drawing.title("A chain of springs does not hang as a cosh");
     drawing.caption(
-        "Green: let go straight, damped, at rest. Ghost: exact. Dashed: the same cord without stretch.");
+        "Green: let go straight, damped, at rest. Ghost: exact. Dashed: the same cord without "
+        "stretch.");
     const pic::Camera camera = pic::fit(drawing, {0.12, 0.16, 1}, {}, {.margin = 0.04});
     pic::save(report.path("chain.png"),
               {report.command(),
@@ -110,9 +116,9 @@ void hang_a_chain(lab::Report& report) {
     report.number("chain.sag", -exact[6].y(), "m");
     report.number("chain.catenary_gap", gap(chain, cord_of(chain)), "m");
     report.number("chain.cosh_gap", cosh_gap, "m");
-    report.say("12 links, let go and damped: " + lab::rounded(error) + " m from the exact rest shape, " +
-               lab::rounded(gap(chain, cord_of(chain))) + " m from the elastic catenary, " +
-               lab::rounded(cosh_gap) + " m from the cosh");
+    report.say("12 links, let go and damped: " + lab::rounded(error) +
+               " m from the exact rest shape, " + lab::rounded(gap(chain, cord_of(chain))) +
+               " m from the elastic catenary, " + lab::rounded(cosh_gap) + " m from the cosh");
     draw_chain(report, hung, chain, error, cosh_gap, net.duration / steps);
 
     lab::Chart chart;
@@ -127,23 +133,23 @@ void hang_a_chain(lab::Report& report) {
     for (std::size_t links = 4; links <= 1024; links *= 2) {
         const HangingChain finer = cut_into(links);
         elastic.x.push_back(double(links)), elastic.y.push_back(gap(finer, cord_of(finer)));
-        cosh.x.push_back(double(links)), cosh.y.push_back(gap(finer, inextensible(cord_of(finer))));
+        cosh.x.push_back(double(links)),
+            cosh.y.push_back(gap(finer, inextensible(cord_of(finer))));
         shares.push_back(1 / double(links));
-        gaps.add(
-            {std::to_string(links), lab::exact_digits(elastic.y.back()), lab::exact_digits(cosh.y.back())});
+        gaps.add({std::to_string(links), lab::exact_digits(elastic.y.back()),
+                  lab::exact_digits(cosh.y.back())});
     }
     const double order = lab::observed_order(shares, elastic.y);
     report.number("chain.gap_order", order);
     report.number("chain.cosh_gap_1024", cosh.y.back(), "m");
-    report.say("the gap to the elastic catenary shrinks with order " + lab::rounded(order, "%.3f") +
-               " in 1/links");
+    report.say("the gap to the elastic catenary shrinks with order " +
+               lab::rounded(order, "%.3f") + " in 1/links");
     chart.series = {elastic, cosh};
     report.data("chain_gap.csv", gaps);
     lab::write_svg(chart, report.path("chain_gap.svg"));
 }
 
 // --- limits
-// --------------------------------------------------------------------------------------------------------
 
 /// The largest step at which a method does not let a small shake grow, by bisection.
 template <class Scene, class Method>
@@ -155,12 +161,14 @@ double measured_limit(const Scene& small, const Method& method, double expected)
     return lab::stability_limit(stable, 0.8 * expected, 1.2 * expected, 1e-4);
 }
 
-/// Every conditionally stable method on a chain and a cloth, as omega dt with omega of the fastest mode.
+/// Every conditionally stable method on a chain and a cloth, as omega dt with omega of the
+/// fastest mode.
 void limits_of_methods(lab::Report& report, const SpringNet& a_chain, const SpringNet& a_cloth) {
     lab::Table table{{"method", "predicted", "found on the chain", "found on the cloth"}, {}};
     const double chain_omega = fastest_mode(a_chain, a_chain.start).frequency;
     const double cloth_omega = fastest_mode(a_cloth, a_cloth.start).frequency;
-    const auto line = [&](const std::string& name, const std::string& word, double theta, const auto& found) {
+    const auto line = [&](const std::string& name, const std::string& word, double theta,
+                          const auto& found) {
         const double on_chain = chain_omega * found(a_chain, theta / chain_omega);
         const double on_cloth = cloth_omega * found(a_cloth, theta / cloth_omega);
         table.add({name, lab::rounded(theta, "%.4f"), lab::rounded(on_chain, "%.4f"),
@@ -176,8 +184,10 @@ void limits_of_methods(lab::Report& report, const SpringNet& a_chain, const Spri
     };
     line("semi-implicit Euler", "semi_implicit_euler", 2, runs(semi_implicit_euler_method));
     line("Verlet", "verlet", 2, runs(VerletFsal<ForceArrays>{}));
-    line("Yoshida 4", "yoshida4", composed_limit(yoshida_weights()), runs(yoshida4<ForceArrays>()));
-    line("Kahan-Li 8", "kahan_li8", composed_limit(kahan_li_weights()), runs(kahan_li8<ForceArrays>()));
+    line("Yoshida 4", "yoshida4", composed_limit(yoshida_weights()),
+         runs(yoshida4<ForceArrays>()));
+    line("Kahan-Li 8", "kahan_li8", composed_limit(kahan_li_weights()),
+         runs(kahan_li8<ForceArrays>()));
     line("RK4", "rk4", std::sqrt(8.0), [](const SpringNet& net, double dt) {
         return measured_limit(NetFlow(shaken(net)), rk4_method, dt);
     });
@@ -201,7 +211,8 @@ void find_limits(lab::Report& report) {
         report.number("net_limit." + word + ".in_structural",
                       formula / std::sqrt(net.start.mass[0] / stiffness));
     };
-    line("chain of 10, both ends held", "chain", chain(10, mass, {stiffness, 0.1}, {0, 0, 0}, {1.1, 0, 0}),
+    line("chain of 10, both ends held", "chain",
+         chain(10, mass, {stiffness, 0.1}, {0, 0, 0}, {1.1, 0, 0}),
          chain_frequency(10, mass, stiffness));
     line("chain of 10, one end free", "chain_free",
          chain(10, mass, {stiffness, 0.1}, {0, 0, 0}, {1, 0, 0}, true),
@@ -220,7 +231,6 @@ void find_limits(lab::Report& report) {
 }
 
 // --- the cloth
-// -----------------------------------------------------------------------------------------------------
 
 /// The cloth as two meshes: stripes of three springs' width, so that the eye sees how it drapes.
 pic::Mesh stripes(const SpringNet& net, const Particles& all, const Vector3& lift, int which,
@@ -228,7 +238,8 @@ pic::Mesh stripes(const SpringNet& net, const Particles& all, const Vector3& lif
     pic::Mesh mesh;
     mesh.colour = colour, mesh.smooth = true;
     for (std::size_t i = 0; i < all.size(); ++i) mesh.points.push_back(all.position[i] + lift);
-    const int columns = static_cast<int>(net.springs.columns), rows = static_cast<int>(net.springs.rows);
+    const int columns = static_cast<int>(net.springs.columns),
+              rows = static_cast<int>(net.springs.rows);
     for (int r = 0; r + 1 < rows; ++r)
         for (int c = 0; c + 1 < columns; ++c) {
             if (c / 3 % 2 != which) continue;
@@ -239,12 +250,13 @@ pic::Mesh stripes(const SpringNet& net, const Particles& all, const Vector3& lif
     return mesh;
 }
 
-pic::Image draw_cloth(const SpringNet& net, const Particles& all, pic::Size size, const std::string& title,
-                      const std::string& caption) {
+pic::Image draw_cloth(const SpringNet& net, const Particles& all, pic::Size size,
+                      const std::string& title, const std::string& caption) {
     const Vector3 lift(0, 2, 0);
     pic::Drawing drawing;
     drawing.add(stripes(net, all, lift, 0, pic::palette::body));
-    drawing.add(stripes(net, all, lift, 1, pic::mix(pic::palette::body, pic::palette::paper, 0.55F)));
+    drawing.add(
+        stripes(net, all, lift, 1, pic::mix(pic::palette::body, pic::palette::paper, 0.55F)));
     for (const std::size_t i : net.held) {
         const Vector3 corner = net.start.position[i] + lift;
         drawing.add(pic::Rod{.from = {corner.x(), 0, corner.z()}, .to = corner, .radius = 0.02});
@@ -252,13 +264,15 @@ pic::Image draw_cloth(const SpringNet& net, const Particles& all, pic::Size size
     }
     if (!title.empty()) drawing.title(title);
     if (!caption.empty()) drawing.caption(caption);
-    const pic::Camera camera{.eye = {1.9, 1.7, 4.3}, .target = {0.56, 1.05, 0}, .field_of_view = 0.55};
+    const pic::Camera camera{
+        .eye = {1.9, 1.7, 4.3}, .target = {0.56, 1.05, 0}, .field_of_view = 0.55};
     return pic::render(drawing, camera, size);
 }
 
 double farthest(const Particles& a, const Particles& b) {
     double most = 0;
-    for (std::size_t i = 0; i < a.size(); ++i) most = std::max(most, (a.position[i] - b.position[i]).norm());
+    for (std::size_t i = 0; i < a.size(); ++i)
+        most = std::max(most, (a.position[i] - b.position[i]).norm());
     return most;
 }
 
@@ -270,16 +284,19 @@ void hang_a_cloth(lab::Report& report) {
     constexpr double narrower = 0.75;   // the held corners' distance over the cloth's side
     SpringNet net = cloth(n, side, mass, stiffness, Weave::with_shear_and_bend);
     net.held = {0, n - 1}, net.drag = drag, net.duration = 60;
-    for (std::size_t i = 0; i < n * n; ++i) {  // the corners come closer, and the cloth between them bulges
+    for (std::size_t i = 0; i < n * n;
+         ++i) {  // the corners come closer, and the cloth between them bulges
         const double across = static_cast<double>(i % n) / (n - 1);
         net.start.position.x[i] *= narrower;
         net.start.position.z[i] += 0.3 * std::sin(pi * across) + 0.03 * std::sin(3 * pi * across);
     }
     net.start = lab::run(net, semi_implicit_euler_method, std::lround(net.duration / settle_dt));
     double speed = 0;
-    for (std::size_t i = 0; i < net.start.size(); ++i) speed = std::max(speed, net.start.velocity[i].norm());
+    for (std::size_t i = 0; i < net.start.size(); ++i)
+        speed = std::max(speed, net.start.velocity[i].norm());
     report.number("cloth.rest_speed", speed, "m/s");
-    report.number("cloth.droop", -*std::min_element(net.start.position.y.begin(), net.start.position.y.end()),
+    report.number("cloth.droop",
+                  -*std::min_element(net.start.position.y.begin(), net.start.position.y.end()),
                   "m");
     pic::save(report.path("cloth.png"),
               {report.command(),
@@ -288,9 +305,9 @@ void hang_a_cloth(lab::Report& report) {
                lab::rounded(settle_dt, "%g s"),
                {{"fastest particle", speed, "m/s"}}},
               [&] {
-                  return draw_cloth(
-                      net, net.start, {}, "A cloth hung up by two corners",
-                      "24 x 24 particles, springs to the next, across, and to the next but one; at rest");
+                  return draw_cloth(net, net.start, {}, "A cloth hung up by two corners",
+                                    "24 x 24 particles, springs to the next, across, and to the "
+                                    "next but one; at rest");
               });
 
     net.drag = 0;
@@ -303,7 +320,8 @@ void hang_a_cloth(lab::Report& report) {
             all = verlet_step(std::move(all), net, double(step) * dt, dt);
         return std::pair(all, step);
     };
-    Particles above, below;  // at 1.01 of the limit until a particle strays, and at 0.99 for as many steps
+    Particles above,
+        below;  // at 1.01 of the limit until a particle strays, and at 0.99 for as many steps
     long steps = 0, same = 0;
     std::tie(above, steps) = strays(1.01 * mode, 100'000);
     std::tie(below, same) = strays(0.99 * mode, steps);
@@ -311,23 +329,25 @@ void hang_a_cloth(lab::Report& report) {
     report.number("cloth.steps", double(steps));
     report.number("cloth.strays_at_0.99", farthest(below, net.start), "m");
     report.number("cloth.strays_at_1.01", farthest(above, net.start), "m");
-    report.say("Verlet at 0.99 of its limit strays " + lab::rounded(farthest(below, net.start)) + " m in " +
-               std::to_string(same) + " steps, at 1.01 " + lab::rounded(farthest(above, net.start)) +
-               " m in " + std::to_string(steps));
+    report.say("Verlet at 0.99 of its limit strays " + lab::rounded(farthest(below, net.start)) +
+               " m in " + std::to_string(same) + " steps, at 1.01 " +
+               lab::rounded(farthest(above, net.start)) + " m in " + std::to_string(steps));
     const std::string after = std::to_string(steps) + " steps";
-    pic::save(report.path("cloth_limit.png"),
-              {report.command(),
-               "the same cloth, from rest, without drag",
-               "Verlet",
-               lab::rounded(0.99 * mode, "%.6g s") + " and " + lab::rounded(1.01 * mode, "%.6g s"),
-               {{"steps", double(steps), ""},
-                {"strays at 0.99", farthest(below, net.start), "m"},
-                {"strays at 1.01", farthest(above, net.start), "m"}}},
-              [&] {
-                  return pic::side_by_side(draw_cloth(net, below, {560, 540}, "", ""),
-                                           draw_cloth(net, above, {560, 540}, "", ""),
-                                           "0.99 of the limit, " + after, "1.01 of the limit, " + after);
-              });
+    pic::save(
+        report.path("cloth_limit.png"),
+        {report.command(),
+         "the same cloth, from rest, without drag",
+         "Verlet",
+         lab::rounded(0.99 * mode, "%.6g s") + " and " + lab::rounded(1.01 * mode, "%.6g s"),
+         {{"steps", double(steps), ""},
+          {"strays at 0.99", farthest(below, net.start), "m"},
+          {"strays at 1.01", farthest(above, net.start), "m"}}},
+        [&] {
+            return pic::side_by_side(draw_cloth(net, below, {560, 540}, "", ""),
+                                     draw_cloth(net, above, {560, 540}, "", ""),
+                                     "0.99 of the limit, " + after,
+                                     "1.01 of the limit, " + after);
+        });
 }
 
 }  // namespace

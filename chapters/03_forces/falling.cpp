@@ -1,4 +1,5 @@
-// Falling with drag: what a first-order method, a naive Verlet and an exact step make of it, and where they break.
+// Falling with drag: what a first-order method, a naive Verlet and an exact step make of it, and
+// where they break.
 #include <nutshell/stability_limits.hpp>
 #include <nutshell/stale_drag.hpp>
 #include "entries.hpp"
@@ -26,22 +27,28 @@ void slowing_down(lab::Report& report) {
     struct Slowing {
         PointMass start{1, {0, 0, 0}, {1, 0, 0}};
         double drag;
-        Vector3 operator()(const PointMass& body, double) const { return linear_drag_force(drag, body.velocity); }
+        Vector3 operator()(const PointMass& body, double) const {
+            return linear_drag_force(drag, body.velocity);
+        }
     };
     lab::Chart chart;
     chart.title = "The same drag, four steps";
-    chart.subtitle = "Velocity of a body that only drag slows, over its start. x = γ dt/m, one step each unit.";
+    chart.subtitle =
+        "Velocity of a body that only drag slows, over its start. x = γ dt/m, one step each "
+        "unit.";
     chart.x = {"steps", lab::Scale::linear, 0, 16};
     chart.y = {"velocity over its start", lab::Scale::linear, -2.5, 2.5};
     lab::Table data{{"method", "x", "step", "velocity"}, {}};
-    const auto follow = [&](const std::string& name, const std::string& style, auto method, double x) {
+    const auto follow = [&](const std::string& name, const std::string& style, auto method,
+                            double x) {
         const Slowing scene{{1, {0, 0, 0}, {1, 0, 0}}, x};
         PointMass body = scene.start;
         lab::Series series{name};
         series.style = style, series.draw = lab::Draw::line_and_marks;
         for (int n = 0; n <= 16; ++n) {
             series.x.push_back(n), series.y.push_back(body.velocity.x());
-            data.add({name, lab::rounded(x), std::to_string(n), lab::exact_digits(body.velocity.x())});
+            data.add(
+                {name, lab::rounded(x), std::to_string(n), lab::exact_digits(body.velocity.x())});
             body = method(body, scene, 0.0, 1.0);
         }
         chart.series.push_back(std::move(series));
@@ -58,28 +65,35 @@ void slowing_down(lab::Report& report) {
 
 void falling(lab::Report& report) {
     const FallingWithDrag scene;
-    report.heading("Falling with linear drag: gamma = " + lab::rounded(scene.drag) + " kg/s, " + lab::rounded(scene.duration) + " s");
+    report.heading("Falling with linear drag: gamma = " + lab::rounded(scene.drag) + " kg/s, " +
+                   lab::rounded(scene.duration) + " s");
     report.number("falling.terminal_speed", scene.terminal_velocity().norm(), "m/s");
     report.number("falling.end_speed", scene.exact(scene.duration).velocity.norm(), "m/s");
     report.number("falling.depth", -scene.exact(scene.duration).position.y(), "m");
-    report.number("falling.kick_300.error", lab::measure(scene, exponential_kick_method, 300).max_error, "m");
+    report.number("falling.kick_300.error",
+                  lab::measure(scene, exponential_kick_method, 300).max_error, "m");
     // Scaling the velocity alone, as `v *= 0.98` does: what is lost is the drift under it.
     const double scaled = lab::measure(scene, semi_implicit_exponential_method, 300).max_error;
     report.number("falling.scaled_300.error", scaled, "m");
-    report.number("falling.euler_300.error", lab::measure(scene, euler_method, 300).max_error, "m");
+    report.number("falling.euler_300.error", lab::measure(scene, euler_method, 300).max_error,
+                  "m");
     lab::Table orders{{"method", "order"}, {}};
     for (const auto& method : methods()) {
         if (method.name == "exponential kick") continue;
         std::vector<double> dts, errors;
-        for (const long n : {80, 160, 320}) dts.push_back(scene.duration / static_cast<double>(n)), errors.push_back(method.measure(scene, n).max_error);
+        for (const long n : {80, 160, 320})
+            dts.push_back(scene.duration / static_cast<double>(n)),
+                errors.push_back(method.measure(scene, n).max_error);
         const double order = lab::observed_order(dts, errors);
         orders.add({method.name, lab::rounded(order, "%.2f")});
         report.number("falling." + key_of(method.name) + ".order", order);
     }
     report.print(orders);
     least_work(report, "falling", scene, methods(), 1, 100'000);
-    auto curves = lab::work_precision(scene, methods(), {1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000});
-    draw_study(report, "falling", curves, scene.need, 60, "Drag: one method has nothing to improve",
+    auto curves =
+        lab::work_precision(scene, methods(), {1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000});
+    draw_study(report, "falling", curves, scene.need, 60,
+               "Drag: one method has nothing to improve",
                "A stone sinks with linear drag for 5 s. Down and left is better.", {-1, -2, -4});
     slowing_down(report);
 

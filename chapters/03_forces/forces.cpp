@@ -4,13 +4,15 @@
 
 namespace nutshell {
 
-/// The comparison with Boost.odeint is a program of its own (tests/peers), run after this one where Boost is installed.
-/// Until then a note stands where its charts will be, and none of an earlier run.
+/// The comparison with Boost.odeint is a program of its own (tests/peers), run after this one
+/// where Boost is installed. Until then a note stands where its charts will be, and none of an
+/// earlier run.
 void announce_comparison(lab::Report& report) {
     for (const std::string scene : {"S2", "S2d", "S3", "S5"}) {
         std::filesystem::path file = report.path("odeint_" + scene + ".txt");
         lab::write_file(file, "command: " + report.command() +
-                                  "\nnot drawn: the comparison with Boost.odeint was not made in this run. It needs Boost (Debian: libboost-dev)\n");
+                                  "\nnot drawn: the comparison with Boost.odeint was not made in "
+                                  "this run. It needs Boost (Debian: libboost-dev)\n");
         std::filesystem::remove(file.replace_extension(".svg"));
     }
 }

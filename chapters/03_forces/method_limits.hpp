@@ -1,5 +1,5 @@
-// Every method of the chapter beside its largest stable step on one spring, from theory: for the chapter's
-// program and its tests, which find the same steps by running.
+// Every method of the chapter beside its largest stable step on one spring, from theory: for the
+// chapter's program and its tests, which find the same steps by running.
 #pragma once
 #include <functional>
 #include <nutshell/forces_methods.hpp>
@@ -10,8 +10,8 @@
 
 namespace nutshell {
 
-/// 1 kg on a spring with omega [rad/s] and g = gamma/m [1/s], or with drag alone (omega = 0); started so that
-/// every mode takes part.
+/// 1 kg on a spring with omega [rad/s] and g = gamma/m [1/s], or with drag alone (omega = 0);
+/// started so that every mode takes part.
 inline MassOnSpring spring_of(double omega, double g) {
     MassOnSpring scene;
     scene.stiffness = omega * omega, scene.drag = g;
@@ -51,13 +51,16 @@ std::optional<Vector3>& kept_force(Composed<VerletFsal<Vector3>, Count>& method)
 /// One step on a spring as a matrix on (x, v), and on the force where the method keeps one.
 template <class Method>
 Eigen::MatrixXd spring_matrix(const Method& method, Bodies, double omega, double g, double dt) {
-    constexpr bool keeps = requires(Method m) { kept_force(m); };
+    constexpr bool keeps = requires(Method m) {
+        kept_force(m);
+    };
     const MassOnSpring scene = spring_of(omega, g);
     return lab::step_matrix(Eigen::VectorXd::Zero(keeps ? 3 : 2), [&](const Vector& y) -> Vector {
         Method fresh = method;  // one that remembers starts fresh
         if constexpr (keeps) kept_force(fresh) = Vector3(y[2], 0, 0);
         const PointMass body = fresh(PointMass{1, {y[0], 0, 0}, {y[1], 0, 0}}, scene, 0.0, dt);
-        if constexpr (keeps) return Vector3(body.position.x(), body.velocity.x(), kept_force(fresh)->x());
+        if constexpr (keeps)
+            return Vector3(body.position.x(), body.velocity.x(), kept_force(fresh)->x());
         return Eigen::Vector2d(body.position.x(), body.velocity.x());
     });
 }
@@ -72,8 +75,8 @@ Eigen::MatrixXd spring_matrix(const Method& method, Flows, double omega, double 
     });
 }
 
-/// The limit by the largest eigenvalue of that matrix: 0 if no step is stable, infinite if all are to
-/// 300/(omega + g). (Far beyond, a composition's steps back overflow.)
+/// The limit by the largest eigenvalue of that matrix: 0 if no step is stable, infinite if all
+/// are to 300/(omega + g). (Far beyond, a composition's steps back overflow.)
 template <class Method, class As>
 double limit_by_eigenvalue(const Method& method, As as, double omega, double g) {
     if (omega > 0 && omega != 1)  // in units of 1/omega, in which the matrix is well scaled
@@ -99,14 +102,15 @@ struct OnSpring {
     }
     /// So many steps at 1.01 of the limit let an error grow so many times.
     long steps_to_grow(double times, double omega, double g) const {
-        return std::lround(std::ceil(std::log(times) / std::log(growth(omega, g, 1.01 * limit(omega, g)))));
+        return std::lround(
+            std::ceil(std::log(times) / std::log(growth(omega, g, 1.01 * limit(omega, g)))));
     }
 };
 
-/// Calls visit(name, method, as, theory) for every method; as is Bodies{} or Flows{}, theory an OnSpring whose
-/// limit is the closed form, or where there is none the largest eigenvalue.
-/// @tparam Push, Flat  what the scene's forces and flat states are: Vector3 and FlatPoint for one body,
-/// ForceArrays and Vector for a net
+/// Calls visit(name, method, as, theory) for every method; as is Bodies{} or Flows{}, theory an
+/// OnSpring whose limit is the closed form, or where there is none the largest eigenvalue.
+/// @tparam Push, Flat  what the scene's forces and flat states are: Vector3 and FlatPoint for one
+/// body, ForceArrays and Vector for a net
 template <class Push, class Flat, class Visit>
 void each_method(const Visit& visit) {
     const Bodies bodies;
@@ -145,24 +149,26 @@ void each_method(const Visit& visit) {
     by_eigenvalue("Verlet, kept force", VerletFsal<Push>{}, VerletFsal<Vector3>{});
     body("exponential Verlet", exponential_verlet_method,
          [](double omega, double) { return exponential_verlet_limit(omega); });
-    row("exponential Verlet, half-drags inside", ExponentialVerlet<Push>{}, ExponentialVerlet<>{}, bodies,
-        exponential_verlet_inside_limit);
+    row("exponential Verlet, half-drags inside", ExponentialVerlet<Push>{}, ExponentialVerlet<>{},
+        bodies, exponential_verlet_inside_limit);
     by_eigenvalue("Yoshida 4, naive", yoshida, yoshida);
     by_eigenvalue("Yoshida 4, kept force", yoshida4<Push>(), yoshida4());
     by_eigenvalue("exponential Yoshida 4", exponential_yoshida4<Push>(), exponential_yoshida4());
     by_eigenvalue("Kahan-Li 8, naive", kahan_li, kahan_li);
     by_eigenvalue("Kahan-Li 8, kept force", kahan_li8<Push>(), kahan_li8());
-    flow("explicit midpoint", explicit_midpoint_method, explicit_midpoint_method, Amplification::midpoint);
+    flow("explicit midpoint", explicit_midpoint_method, explicit_midpoint_method,
+         Amplification::midpoint);
     flow("RK4", rk4_method, rk4_method, Amplification::rk4);
     flow("Dormand-Prince 5(4)", DormandPrince<Flat>{}, DormandPrince<FlatPoint>{},
          Amplification::dormand_prince);
-    flow("implicit Euler", implicit_euler_method, implicit_euler_method, Amplification::implicit_euler);
+    flow("implicit Euler", implicit_euler_method, implicit_euler_method,
+         Amplification::implicit_euler);
     flow("implicit midpoint", implicit_midpoint_method, implicit_midpoint_method,
          Amplification::implicit_midpoint);
 }
 
-/// A net without gravity and drag, each particle that is not held with a little speed [m/s] of its own in the
-/// plane of the net: a little of every mode.
+/// A net without gravity and drag, each particle that is not held with a little speed [m/s] of
+/// its own in the plane of the net: a little of every mode.
 inline SpringNet shaken(SpringNet net, double speed = 1e-9) {
     net.g = 0, net.drag = 0;
     for (std::size_t i = 0; i < net.start.size(); ++i) {
@@ -174,7 +180,8 @@ inline SpringNet shaken(SpringNet net, double speed = 1e-9) {
     return net;
 }
 
-/// The greatest speed [m/s] of any particle; of a flat state, the greatest number among its velocities.
+/// The greatest speed [m/s] of any particle; of a flat state, the greatest number among its
+/// velocities.
 inline double fastest_speed(const Particles& all) {
     double most = 0;
     for (std::size_t i = 0; i < all.size(); ++i) most = std::max(most, all.velocity[i].norm());

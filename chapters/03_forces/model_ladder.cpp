@@ -1,5 +1,5 @@
-// The model ladder: a throw without drag, with linear drag and with quadratic drag. What does the simpler model get wrong,
-// what does it save, and when does nobody notice?
+// The model ladder: a throw without drag, with linear drag and with quadratic drag. What does the
+// simpler model get wrong, what does it save, and when does nobody notice?
 #include "entries.hpp"
 #include "program.hpp"
 
@@ -7,7 +7,8 @@ namespace nutshell {
 
 namespace {
 
-/// The ball thrown at `speed` [m/s] in the direction of chapter 1's throw; in air, it lands after `flight` seconds.
+/// The ball thrown at `speed` [m/s] in the direction of chapter 1's throw; in air, it lands after
+/// `flight` seconds.
 struct Case {
     ThrowInAir air;
     double flight = 0;
@@ -41,11 +42,15 @@ double off_the_truth(const ThrowInAir& model, const Case& truth) {
     return largest;
 }
 
-ThrowInAir without(double speed) { return thrown(speed, 0, 0); }
+ThrowInAir without(double speed) {
+    return thrown(speed, 0, 0);
+}
 /// Linear drag that is as strong as the air's at the start.
-ThrowInAir linear(double speed) { return thrown(speed, ThrowInAir{}.air * speed, 0); }
+ThrowInAir linear(double speed) {
+    return thrown(speed, ThrowInAir{}.air * speed, 0);
+}
 
-constexpr double ball_radius = 0.1;   // [m]: who would see less?
+constexpr double ball_radius = 0.1;  // [m]: who would see less?
 
 }  // namespace
 
@@ -63,7 +68,8 @@ void model_ladder(lab::Report& report) {
         const Case truth = in_air(speed);
         none.x.push_back(speed), none.y.push_back(off_the_truth(without(speed), truth));
         fitted.x.push_back(speed), fitted.y.push_back(off_the_truth(linear(speed), truth));
-        data.add({lab::exact_digits(speed), lab::exact_digits(truth.flight), lab::exact_digits(none.y.back()), lab::exact_digits(fitted.y.back())});
+        data.add({lab::exact_digits(speed), lab::exact_digits(truth.flight),
+                  lab::exact_digits(none.y.back()), lab::exact_digits(fitted.y.back())});
     }
     chart.series = {none, fitted};
     report.data("ladder.csv", data);
@@ -77,14 +83,16 @@ void model_ladder(lab::Report& report) {
     report.number("ladder.no_drag.off", off_the_truth(without(full), truth), "m");
     report.number("ladder.linear.off", off_the_truth(linear(full), truth), "m");
     report.number("ladder.drag_over_weight", truth.air.air * full * full / earth_gravity);
-    const auto limit = [&](const auto& model) {   // the speed at which the model is off by the ball's radius
-        double low = 1, high = 40;
-        for (int turn = 0; turn < 20; ++turn) {
-            const double middle = std::sqrt(low * high);
-            (off_the_truth(model(middle), in_air(middle)) < ball_radius ? low : high) = middle;
-        }
-        return low;
-    };
+    const auto limit =
+        [&](const auto& model) {  // the speed at which the model is off by the ball's radius
+            double low = 1, high = 40;
+            for (int turn = 0; turn < 20; ++turn) {
+                const double middle = std::sqrt(low * high);
+                (off_the_truth(model(middle), in_air(middle)) < ball_radius ? low : high) =
+                    middle;
+            }
+            return low;
+        };
     report.number("ladder.no_drag.good_to", limit(without), "m/s");
     report.number("ladder.linear.good_to", limit(linear), "m/s");
 
@@ -92,20 +100,29 @@ void model_ladder(lab::Report& report) {
     ThrowInAir nothing, honey, air;
     nothing.air = 0;
     honey.air = 0, honey.drag = ThrowInAir{}.air * full;
-    const auto cheapest = lab::fewest_steps(air, flow_entry<ThrowInAir>("RK4", rk4_method), air.need.tolerance);
+    const auto cheapest =
+        lab::fewest_steps(air, flow_entry<ThrowInAir>("RK4", rk4_method), air.need.tolerance);
     require(cheapest.has_value(), "model_ladder: RK4 did not reach a pixel");
-    const double time_none = lab::time_of([&] { lab::keep(lab::run(nothing, verlet_method, 1)); });
-    const double time_linear = lab::time_of([&] { lab::keep(lab::run(honey, exponential_kick_method, 1)); });
+    const double time_none =
+        lab::time_of([&] { lab::keep(lab::run(nothing, verlet_method, 1)); });
+    const double time_linear =
+        lab::time_of([&] { lab::keep(lab::run(honey, exponential_kick_method, 1)); });
     const Flow<ThrowInAir> flow(air);
-    const double time_air = lab::time_of([&] { lab::keep(lab::run(flow, rk4_method, cheapest->steps)); });
+    const double time_air =
+        lab::time_of([&] { lab::keep(lab::run(flow, rk4_method, cheapest->steps)); });
     report.number("ladder.no_drag.nanoseconds", 1e9 * time_none, "ns");
     report.number("ladder.linear.nanoseconds", 1e9 * time_linear, "ns");
     report.number("ladder.air.nanoseconds", 1e9 * time_air, "ns");
     report.number("ladder.air.steps", static_cast<double>(cheapest->steps));
-    lab::Table table{{"model", "off the truth [m]", "steps for a pixel", "time for the throw [ns]", "good to [m/s]"}, {}};
-    table.add({"no drag", lab::rounded(off_the_truth(without(full), truth)), "1", lab::rounded(1e9 * time_none), lab::rounded(limit(without))});
-    table.add({"linear drag", lab::rounded(off_the_truth(linear(full), truth)), "1", lab::rounded(1e9 * time_linear), lab::rounded(limit(linear))});
-    table.add({"quadratic drag", "0", std::to_string(cheapest->steps), lab::rounded(1e9 * time_air), "-"});
+    lab::Table table{{"model", "off the truth [m]", "steps for a pixel",
+                      "time for the throw [ns]", "good to [m/s]"},
+                     {}};
+    table.add({"no drag", lab::rounded(off_the_truth(without(full), truth)), "1",
+               lab::rounded(1e9 * time_none), lab::rounded(limit(without))});
+    table.add({"linear drag", lab::rounded(off_the_truth(linear(full), truth)), "1",
+               lab::rounded(1e9 * time_linear), lab::rounded(limit(linear))});
+    table.add({"quadratic drag", "0", std::to_string(cheapest->steps),
+               lab::rounded(1e9 * time_air), "-"});
     report.print(table);
 }
 

@@ -15,7 +15,8 @@ std::vector<lab::Entry<Planet>> methods(const Planet& scene) {
             lab::entry<Planet>("Kahan-Li 8", kahan_li8()),
             flow_entry<Planet>("RK4", rk4_method),
             clock_entry("logarithmic leapfrog", leapfrog, 1),
-            clock_entry("logarithmic leapfrog, order 8", Composed<LogHamiltonian, 15>{leapfrog, kahan_li_weights()}, 15)};
+            clock_entry("logarithmic leapfrog, order 8",
+                        Composed<LogHamiltonian, 15>{leapfrog, kahan_li_weights()}, 15)};
 }
 
 }  // namespace
@@ -38,11 +39,14 @@ void planet_again(lab::Report& report) {
     add(3, {50, 100, 200, 500, 1000, 2000});
     add(4, {10, 20, 50, 100, 500, 2000, 5000});
     add(5, {4, 6, 8, 12, 16, 20, 30});
-    curves.push_back(controlled(scene, {1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12}));
-    draw_study(report, "planet", curves, scene.need, 3, "The planet: who pays least for a pixel, and for a micron",
+    curves.push_back(
+        controlled(scene, {1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12}));
+    draw_study(report, "planet", curves, scene.need, 3,
+               "The planet: who pays least for a pixel, and for a micron",
                "e = 0.6, ten orbits. Down and left is better.", {-2, -4, -8});
     for (const auto& run : curves.back().runs)
-        if (run.max_error <= scene.need.tolerance) {   // the coarsest tolerance that meets the need
+        if (run.max_error <=
+            scene.need.tolerance) {  // the coarsest tolerance that meets the need
             report.number("planet.controlled.steps", static_cast<double>(run.steps));
             report.number("planet.controlled.evaluations", static_cast<double>(run.evaluations));
             report.number("planet.controlled.error", run.max_error, "a");
@@ -51,10 +55,12 @@ void planet_again(lab::Report& report) {
     // The steps that control chooses: longest over shortest.
     double shortest = 1e9, longest = 0, last = 0;
     const Flow flow(scene);
-    adaptive(flow.start, flow, 0, scene.duration, {1e-8, 1e-8}, 0.01, [&](const FlatPoint&, double t) {
-        if (last > 0 && t < scene.duration) shortest = std::min(shortest, t - last), longest = std::max(longest, t - last);
-        last = t;
-    });
+    adaptive(
+        flow.start, flow, 0, scene.duration, {1e-8, 1e-8}, 0.01, [&](const FlatPoint&, double t) {
+            if (last > 0 && t < scene.duration)
+                shortest = std::min(shortest, t - last), longest = std::max(longest, t - last);
+            last = t;
+        });
     report.number("planet.controlled.longest_over_shortest", longest / shortest);
     // Twenty steps an orbit, always on the ellipse.
     TimedPlanet planet{scene.start};
@@ -63,7 +69,8 @@ void planet_again(lab::Report& report) {
     const double h2 = angular_momentum(scene.start).squaredNorm();
     for (int n = 0; n < 20 * static_cast<int>(orbits); ++n) {
         planet = leapfrog(planet, scene, 0.0, 2 * pi / 20);
-        off = std::max(off, std::abs(planet.body.position.norm() - (h2 - scene.eccentricity * planet.body.position.x())));
+        off = std::max(off, std::abs(planet.body.position.norm() -
+                                     (h2 - scene.eccentricity * planet.body.position.x())));
     }
     report.number("planet.clock.off_the_ellipse", off, "a");
     report.number("planet.clock.late", planet.time - scene.duration);

@@ -1,5 +1,5 @@
-// How long one step of one particle takes, from ten particles to a million, and how far that is from what the
-// machine can.
+// How long one step of one particle takes, from ten particles to a million, and how far that is
+// from what the machine can.
 #include "scale.hpp"
 #include <nutshell/lab/chart.hpp>
 #include <nutshell/spring_limits.hpp>
@@ -18,7 +18,8 @@ void draw_time_against_number(lab::Report& report, const std::vector<Kind>& kind
     lab::Chart chart;
     chart.title = "What one step of one particle costs";
     chart.subtitle =
-        "semi-implicit Euler in one pass, one core; down is better; dashed: the machine's floor for each";
+        "semi-implicit Euler in one pass, one core; down is better; dashed: the machine's floor "
+        "for each";
     chart.x = {"particles", lab::Scale::logarithmic};
     chart.y = {"time per particle-step [ns]", lab::Scale::logarithmic};
     for (const Kind& kind : kinds) {
@@ -38,13 +39,15 @@ void draw_against_floor(lab::Report& report, const std::vector<Kind>& kinds) {
     lab::Chart chart;
     chart.title = "The same verbs, one pass";
     chart.subtitle =
-        "semi-implicit Euler, one core: force, kick and drift one after the other, or all in one pass over "
+        "semi-implicit Euler, one core: force, kick and drift one after the other, or all in one "
+        "pass over "
         "memory";
     chart.x = {"time per particle-step [ns]", lab::Scale::linear, 0};
     for (const Kind& kind : kinds)
-        for (const std::size_t n : std::vector<std::size_t>{std::size_t{1000}, std::size_t{1'000'000}}) {
-            const auto near =
-                std::min_element(kind.times.begin(), kind.times.end(), [&](const Times& a, const Times& b) {
+        for (const std::size_t n :
+             std::vector<std::size_t>{std::size_t{1000}, std::size_t{1'000'000}}) {
+            const auto near = std::min_element(
+                kind.times.begin(), kind.times.end(), [&](const Times& a, const Times& b) {
                     return std::abs(std::log(double(a.particles) / double(n))) <
                            std::abs(std::log(double(b.particles) / double(n)));
                 });
@@ -61,18 +64,22 @@ void draw_against_floor(lab::Report& report, const std::vector<Kind>& kinds) {
             report.number("scale." + word + ".one_pass", near->one_pass, "ns");
             report.number("scale." + word + ".floor", near->floor(), "ns");
             report.number("scale." + word + ".verbs_over_floor", near->verbs / near->floor());
-            report.number("scale." + word + ".one_pass_over_floor", near->one_pass / near->floor());
+            report.number("scale." + word + ".one_pass_over_floor",
+                          near->one_pass / near->floor());
         }
     lab::write_svg(chart, report.path("scale_floor.svg"));
 }
 
 /// A cloth of one size and mass, finer and finer: more points, and smaller steps.
 void finer_cloth(lab::Report& report, const std::vector<Times>& times) {
-    constexpr double side = 2, mass = 0.4, stiffness = 100, part_of_limit = 0.9;  // [m], [kg], [N/m]
-    lab::Table data{{"points along a side", "points", "steps_per_second", "seconds_per_second"}, {}};
+    constexpr double side = 2, mass = 0.4, stiffness = 100,
+                     part_of_limit = 0.9;  // [m], [kg], [N/m]
+    lab::Table data{{"points along a side", "points", "steps_per_second", "seconds_per_second"},
+                    {}};
     lab::Chart chart;
     chart.title = "A finer cloth costs more twice";
-    chart.subtitle = "2 m x 2 m, semi-implicit Euler at 0.9 of its limit: more points, and smaller steps";
+    chart.subtitle =
+        "2 m x 2 m, semi-implicit Euler at 0.9 of its limit: more points, and smaller steps";
     chart.x = {"points along a side", lab::Scale::logarithmic};
     chart.y = {"processor time per simulated second [s/s]", lab::Scale::logarithmic};
     chart.tolerance = {1, "as fast as the clock, on one core"};
@@ -92,7 +99,8 @@ void finer_cloth(lab::Report& report, const std::vector<Times>& times) {
         if (seconds > 1 && finest_in_time == 0 &&
             cost.y.size() > 1) {  // where the line crosses one second, log-log
             const std::size_t now = cost.y.size() - 1;
-            const double part = std::log(1 / cost.y[now - 1]) / std::log(cost.y[now] / cost.y[now - 1]);
+            const double part =
+                std::log(1 / cost.y[now - 1]) / std::log(cost.y[now] / cost.y[now - 1]);
             finest_in_time = cost.x[now - 1] * std::pow(cost.x[now] / cost.x[now - 1], part);
         }
     }
@@ -106,27 +114,30 @@ void finer_cloth(lab::Report& report, const std::vector<Times>& times) {
     report.number("cloth.finer.million", cost.y[last], "s");
     report.data("finer_cloth.csv", data);
     lab::write_svg(chart, report.path("finer_cloth.svg"));
-    report.say("cost of a finer cloth grows as (points along a side)^" + lab::rounded(slope, "%.2f") + "; " +
-               lab::rounded(finest_in_time, "%.0f") + " along a side still run as fast as the clock");
+    report.say("cost of a finer cloth grows as (points along a side)^" +
+               lab::rounded(slope, "%.2f") + "; " + lab::rounded(finest_in_time, "%.0f") +
+               " along a side still run as fast as the clock");
 }
 
 }  // namespace
 
 void scale(lab::Report& report) {
-    report.heading("Many particles: time per particle-step [ns], and how many times the machine's floor");
+    report.heading(
+        "Many particles: time per particle-step [ns], and how many times the machine's floor");
     std::vector<Kind> kinds{{"anchored springs", "anchored", "anchored", {}},
                             {"chain", "in a chain", "chain", {}},
                             {"cloth", "in a cloth", "cloth", {}}};
-    for (const std::size_t n : std::vector<std::size_t>{10, 32, 100, 316, 1000, 3162, 10'000, 31'623, 100'000,
-                                                        316'228, 1'000'000}) {
+    for (const std::size_t n : std::vector<std::size_t>{10, 32, 100, 316, 1000, 3162, 10'000,
+                                                        31'623, 100'000, 316'228, 1'000'000}) {
         kinds[0].times.push_back(time_anchored(n));
         kinds[1].times.push_back(time_net(timed_chain(n)));
         kinds[2].times.push_back(time_net(timed_cloth(n)));
     }
-    lab::Table data{
-        {"scene", "particles", "three_verbs_ns", "one_pass_ns", "floor_streaming_ns", "floor_arithmetic_ns"},
-        {}};
-    lab::Table shown{{"scene", "particles", "three verbs", "one pass", "floor", "times the floor"}, {}};
+    lab::Table data{{"scene", "particles", "three_verbs_ns", "one_pass_ns", "floor_streaming_ns",
+                     "floor_arithmetic_ns"},
+                    {}};
+    lab::Table shown{
+        {"scene", "particles", "three verbs", "one pass", "floor", "times the floor"}, {}};
     for (const Kind& kind : kinds)
         for (const Times& t : kind.times) {
             data.add({kind.name, std::to_string(t.particles), lab::exact_digits(t.verbs),

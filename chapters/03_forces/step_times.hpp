@@ -1,5 +1,5 @@
-// The time of one step of one particle, and the floors it is compared with: for the chapter's program and its
-// test.
+// The time of one step of one particle, and the floors it is compared with: for the chapter's
+// program and its test.
 #pragma once
 #include <nutshell/chain_scenes.hpp>
 #include <nutshell/lab/run.hpp>
@@ -7,19 +7,22 @@
 
 namespace nutshell {
 
-inline constexpr int timing_rounds = 5;    // the least time of so many is taken
-inline constexpr double timed_dt = 1e-3;   // [s]; the time of a step does not depend on it
-inline constexpr double slow_drag = 1e-3;  // [kg/s]: the particles keep moving while they are timed
+inline constexpr int timing_rounds = 5;   // the least time of so many is taken
+inline constexpr double timed_dt = 1e-3;  // [s]; the time of a step does not depend on it
+inline constexpr double slow_drag =
+    1e-3;  // [kg/s]: the particles keep moving while they are timed
 
-/// Nanoseconds per particle-step: the three verbs one after the other, all in one pass, and the two floors.
+/// Nanoseconds per particle-step: the three verbs one after the other, all in one pass, and the
+/// two floors.
 struct Times {
     std::size_t particles;
     double verbs, one_pass, streaming, arithmetic;
     double floor() const { return std::max(streaming, arithmetic); }
 };
 
-/// Times one kind of scene; `stream` and `arithmetic` are its floors, called for all particles. All
-/// work in place. They take turns, so that a while in which the machine is busy hits them alike.
+/// Times one kind of scene; `stream` and `arithmetic` are its floors, called for all particles.
+/// All work in place. They take turns, so that a while in which the machine is busy hits them
+/// alike.
 template <class Scene, class Stream, class Arithmetic>
 Times time_steps(const Scene& scene, const Stream& stream, const Arithmetic& arithmetic) {
     const std::size_t n = scene.start.size();
@@ -39,7 +42,8 @@ Times time_steps(const Scene& scene, const Stream& stream, const Arithmetic& ari
     return times;
 }
 
-/// Calls loop(count, in, out) for n numbers in all, a block at a time that stays in the nearest cache.
+/// Calls loop(count, in, out) for n numbers in all, a block at a time that stays in the nearest
+/// cache.
 template <class Loop>
 void in_blocks(std::size_t n, const Loop& loop) {
     constexpr std::size_t block = 256;
@@ -74,12 +78,14 @@ inline Times time_net(SpringNet net) {
     return time_steps(
         net,
         [](Particles& all) {
-            wide::stream_net(all.size(), all.position.axes(), all.velocity.axes(), all.mass.data());
+            wide::stream_net(all.size(), all.position.axes(), all.velocity.axes(),
+                             all.mass.data());
         },
         [&](std::size_t count) {
             in_blocks(count, [&](std::size_t part, const double* in, double* out) {
                 for (const GridSpring& kind : net.springs.kinds) {
-                    wide::arithmetic_spring(part, in, out, kind.spring.rest_length, kind.spring.stiffness);
+                    wide::arithmetic_spring(part, in, out, kind.spring.rest_length,
+                                            kind.spring.stiffness);
                     lab::keep(out[0]);
                 }
                 wide::arithmetic_move(part, in, out, timed_medium, timed_dt);
@@ -87,16 +93,19 @@ inline Times time_net(SpringNet net) {
         });
 }
 
-/// A chain of n particles between two ends, stretched a little: it stays in order while it swings.
+/// A chain of n particles between two ends, stretched a little: it stays in order while it
+/// swings.
 inline SpringNet timed_chain(std::size_t n) {
     const double gap = 0.1;
-    return chain(n - 2, 0.01, {100, 0.9 * gap}, {0, 0, 0}, {gap * static_cast<double>(n - 1), 0, 0});
+    return chain(n - 2, 0.01, {100, 0.9 * gap}, {0, 0, 0},
+                 {gap * static_cast<double>(n - 1), 0, 0});
 }
 
 inline SpringNet timed_cloth(std::size_t n) {
     const auto side = static_cast<std::size_t>(std::lround(std::sqrt(static_cast<double>(n))));
-    SpringNet net = cloth(side, 0.1 * static_cast<double>(side - 1), 0.01 * static_cast<double>(side * side),
-                          100, Weave::with_shear_and_bend);
+    SpringNet net =
+        cloth(side, 0.1 * static_cast<double>(side - 1), 0.01 * static_cast<double>(side * side),
+              100, Weave::with_shear_and_bend);
     for (std::size_t c = 0; c < side; ++c) net.held.push_back(c);
     return net;
 }

@@ -21,7 +21,6 @@ struct Box {
 using Line = std::vector<Point>;
 
 // --- text (chart_text.cpp)
-// ---------------------------------------------------------------------------------------
 inline constexpr double heading_size = 20, text_size = 16, tick_size = 15, note_size = 15, line_height = 20;
 
 /// Width of text set in bold Lato: an upper bound for the regular weight, and for the fonts named after it
@@ -38,7 +37,6 @@ std::string power_of_ten(double mantissa, int exponent);  ///< as SVG
 double width_of_markup(std::string_view markup, double size);
 
 // --- axes (chart_axes.cpp)
-// ---------------------------------------------------------------------------------------
 struct Range {
     double from = 0, to = 1;
 };
@@ -78,7 +76,6 @@ std::string draw_x_name(const Chart& chart, const Box& plot, double width, doubl
 bool is_plane(const Chart& chart);  ///< both axes in the same unit of length
 
 // --- geometry and labels (chart_labels.cpp)
-// ----------------------------------------------------------------------
 /// The part of a segment inside a box, if any (Liang-Barsky).
 std::optional<std::pair<Point, Point>> clipped(Point a, Point b, const Box& box);
 /// Drops points that lie within `tolerance` of the line without them (Ramer-Douglas-Peucker).
@@ -113,7 +110,6 @@ std::string draw_text(const std::string& css_class, double x, double y, std::str
                       const char* anchor = "start");
 
 // --- series (chart_series.cpp)
-// -----------------------------------------------------------------------------------
 enum class Side {
     inside,
     top,
@@ -146,7 +142,6 @@ std::string path(const std::vector<Line>& lines, bool closed = false);
 std::string draw_mark(const Style& style, Point at, const std::string& title);
 
 // --- regions (chart_regions.cpp)
-// ---------------------------------------------------------------------------------
 struct Contour {
     Style style;
     std::vector<Line> fill,
@@ -160,7 +155,6 @@ std::optional<Box> place_inside(const Chart& chart, std::size_t region, const Fr
                                 const Obstacles& obstacles);
 
 // --- levels, guides, rings (chart_notes.cpp)
-// ---------------------------------------------------------------------
 inline constexpr double ring_radius = 10.5;
 /// A level on y and, if there is a free place on its line, where its reason is written.
 struct Note {
@@ -177,12 +171,10 @@ std::string draw_guides(const Chart& chart, const Frame& frame, Obstacles& obsta
 std::string draw_rings(const Chart& chart, const Frame& frame, Obstacles& obstacles);
 
 // --- bars (chart_bars.cpp)
-// ---------------------------------------------------------------------------------------
 /// `width` may grow; `height` receives the picture's.
 std::string draw_bars(const Chart& chart, double& width, double& height, double top);
 
 // --- the whole (chart_document.cpp, chart.cpp)
-// -------------------------------------------------------------------
 /// The SVG round a drawing: root, title and description, style sheet, paper.
 std::string document(const Chart& chart, const std::string& id, double width, double height,
                      const std::string& body, const std::string& told);

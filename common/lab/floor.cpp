@@ -7,7 +7,7 @@ MachineFloor machine_floor() {
     constexpr int chain = 1000;
     const double multiply_add = time_of([] {
         double x = 1, a = 0.999, b = 0.001;
-        keep(a), keep(b);   // from here on the compiler cannot know their values
+        keep(a), keep(b);  // from here on the compiler cannot know their values
         for (int i = 0; i < chain; ++i) x = x * a + b;
         keep(x);
     });

@@ -1,5 +1,3 @@
-#include <nutshell/lab/output.hpp>
-#include <nutshell/require.hpp>
 #include <unistd.h>
 #include <algorithm>
 #include <cerrno>
@@ -9,6 +7,8 @@
 #include <exception>
 #include <fstream>
 #include <iostream>
+#include <nutshell/lab/output.hpp>
+#include <nutshell/require.hpp>
 
 namespace nutshell::lab {
 
@@ -29,8 +29,9 @@ std::string compiler_name() {
 #endif
 }
 
-std::size_t width(const std::string& text) {   // in characters, not bytes
-    return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
+std::size_t width(const std::string& text) {  // in characters, not bytes
+    return static_cast<std::size_t>(
+        std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
 }
 
 bool is_number(const std::string& text) {
@@ -42,7 +43,8 @@ bool is_number(const std::string& text) {
 
 void write_file(const std::filesystem::path& path, std::string_view text) {
     const auto fail = [&](const std::string& what, int reason) {
-        throw std::runtime_error("cannot " + what + ": " + std::strerror(reason) + ". Choose another folder with --out, or make room");
+        throw std::runtime_error("cannot " + what + ": " + std::strerror(reason) +
+                                 ". Choose another folder with --out, or make room");
     };
     std::error_code problem;
     if (path.has_parent_path()) std::filesystem::create_directories(path.parent_path(), problem);
@@ -66,7 +68,8 @@ void write_file(const std::filesystem::path& path, std::string_view text) {
 }
 
 std::string provenance(const std::string& command) {
-    return "# command: " + command + "\n# machine: " + processor_name() + "\n# compiler: " + compiler_name() + "\n";
+    return "# command: " + command + "\n# machine: " + processor_name() + "\n# compiler: " + compiler_name() +
+           "\n";
 }
 
 std::string exact_digits(double value) {
@@ -82,8 +85,9 @@ std::string rounded(double value, const char* format) {
 }
 
 void Table::add(std::vector<std::string> cells) {
-    require(cells.size() == columns.size(), "a row of " + std::to_string(cells.size()) + " cells in a table of " +
-                                                std::to_string(columns.size()) + " columns");
+    require(cells.size() == columns.size(), "a row of " + std::to_string(cells.size()) +
+                                                " cells in a table of " + std::to_string(columns.size()) +
+                                                " columns");
     rows.push_back(std::move(cells));
 }
 
@@ -93,7 +97,8 @@ std::string Table::csv() const {
         for (std::size_t i = 0; i < cells.size(); ++i) {
             std::string cell = cells[i];
             if (cell.find_first_of(",\"\n") != std::string::npos) {
-                for (std::size_t at = 0; (at = cell.find('"', at)) != std::string::npos; at += 2) cell.insert(at, 1, '"');
+                for (std::size_t at = 0; (at = cell.find('"', at)) != std::string::npos; at += 2)
+                    cell.insert(at, 1, '"');
                 cell = '"' + cell + '"';
             }
             out += (i ? "," : "") + cell;
@@ -116,7 +121,9 @@ std::string Table::text() const {
     const auto line = [&](const std::vector<std::string>& cells) {
         std::string text = "  ";
         for (std::size_t c = 0; c < cells.size(); ++c) {
-            const bool right = std::all_of(rows.begin(), rows.end(), [&](const auto& row) { return row[c].empty() || is_number(row[c]); });
+            const bool right = std::all_of(rows.begin(), rows.end(), [&](const auto& row) {
+                return row[c].empty() || is_number(row[c]);
+            });
             const std::string space(widths[c] - width(cells[c]), ' ');
             text += (right ? space + cells[c] : cells[c] + space) + (c + 1 < cells.size() ? "   " : "");
         }
@@ -127,7 +134,8 @@ std::string Table::text() const {
     return out;
 }
 
-Report::Report(std::filesystem::path folder, std::string command) : folder_(std::move(folder)), command_(std::move(command)) {}
+Report::Report(std::filesystem::path folder, std::string command)
+    : folder_(std::move(folder)), command_(std::move(command)) {}
 
 void Report::heading(const std::string& title) {
     std::cout << '\n' << title << '\n';
@@ -142,7 +150,8 @@ void Report::print(const Table& table) {
 }
 
 void Report::number(const std::string& name, double value, const std::string& unit) {
-    for (const auto& row : numbers_.rows) require(row[0] != name, "the number " + name + " is reported twice");
+    for (const auto& row : numbers_.rows)
+        require(row[0] != name, "the number " + name + " is reported twice");
     numbers_.add({name, exact_digits(value), unit});
 }
 
@@ -168,12 +177,13 @@ int program(int argc, char** argv, const std::string& name, const std::function<
         if (std::strcmp(argv[i], "--out") == 0 && i + 1 < argc) {
             folder = argv[++i];
         } else {
-            std::cerr << name << ": unknown argument '" << argv[i] << "'. Usage: " << name << " [--out DIR]\n";
+            std::cerr << name << ": unknown argument '" << argv[i] << "'. Usage: " << name
+                      << " [--out DIR]\n";
             return 2;
         }
     }
     try {
-        write_file(folder / ".writable", "");   // an unwritable folder is found before the work, not after it
+        write_file(folder / ".writable", "");  // an unwritable folder is found before the work, not after it
         std::filesystem::remove(folder / ".writable");
         Report report(folder, "./course run " + name.substr(1, 1));
         chapter(report);

@@ -4,14 +4,17 @@ namespace nutshell::lab {
 
 Chart work_precision_chart(const std::vector<Curve>& curves, const Need& need, Cost cost) {
     Chart chart;
-    chart.x = {cost == Cost::evaluations ? "evaluations of the force" : "processor time per simulated second [s]", Scale::logarithmic};
+    chart.x = {
+        cost == Cost::evaluations ? "evaluations of the force" : "processor time per simulated second [s]",
+        Scale::logarithmic};
     chart.y = {"largest error [" + need.unit + "]", Scale::logarithmic};
     chart.tolerance = Level{need.tolerance, need.reason};
     chart.ring_cheapest = true;
     for (const auto& curve : curves) {
         Series series{curve.method};
         for (const auto& run : curve.runs) {
-            series.x.push_back(cost == Cost::evaluations ? static_cast<double>(run.evaluations) : run.seconds_per_second);
+            series.x.push_back(cost == Cost::evaluations ? static_cast<double>(run.evaluations)
+                                                         : run.seconds_per_second);
             series.y.push_back(run.max_error);
             series.notes.push_back("dt = " + rounded(run.dt) + " s, " + std::to_string(run.steps) + " steps");
         }
@@ -21,19 +24,23 @@ Chart work_precision_chart(const std::vector<Curve>& curves, const Need& need, C
 }
 
 Table work_precision_data(const std::vector<Curve>& curves) {
-    Table table{{"method", "steps", "dt", "evaluations", "max_error", "final_error", "seconds_per_second"}, {}};
+    Table table{{"method", "steps", "dt", "evaluations", "max_error", "final_error", "seconds_per_second"},
+                {}};
     for (const auto& curve : curves)
         for (const auto& run : curve.runs)
-            table.add({curve.method, std::to_string(run.steps), exact_digits(run.dt), std::to_string(run.evaluations),
-                       exact_digits(run.max_error), exact_digits(run.final_error), exact_digits(run.seconds_per_second)});
+            table.add({curve.method, std::to_string(run.steps), exact_digits(run.dt),
+                       std::to_string(run.evaluations), exact_digits(run.max_error),
+                       exact_digits(run.final_error), exact_digits(run.seconds_per_second)});
     return table;
 }
 
 Table ways_table(const std::vector<Choice>& ways, const Need& need) {
-    Table table{{"method", "steps", "dt [s]", "evaluations", "error [" + need.unit + "]", "µs per simulated s"}, {}};
+    Table table{
+        {"method", "steps", "dt [s]", "evaluations", "error [" + need.unit + "]", "µs per simulated s"}, {}};
     for (const auto& way : ways)
-        table.add({way.method, std::to_string(way.run.steps), rounded(way.run.dt), std::to_string(way.run.evaluations),
-                   rounded(way.run.max_error), rounded(1e6 * way.run.seconds_per_second)});
+        table.add({way.method, std::to_string(way.run.steps), rounded(way.run.dt),
+                   std::to_string(way.run.evaluations), rounded(way.run.max_error),
+                   rounded(1e6 * way.run.seconds_per_second)});
     return table;
 }
 

@@ -23,7 +23,7 @@ std::vector<Vector3> at_common_instants(const Step& method, int hertz) {
 }  // namespace
 
 TEST_CASE("at 30, 60 and 144 Hz the same throw differs by exactly what the order says") {
-    const double round_off = 500 * 25 * std::numeric_limits<double>::epsilon();   // 500 steps, |p| < 25 m
+    const double round_off = 500 * 25 * std::numeric_limits<double>::epsilon();  // 500 steps, |p| < 25 m
     for (auto [slow, fast] : {std::pair{30, 60}, {60, 144}, {30, 144}}) {
         const auto e1 = at_common_instants(euler_method, slow), e2 = at_common_instants(euler_method, fast);
         const auto v1 = at_common_instants(verlet_method, slow), v2 = at_common_instants(verlet_method, fast);
@@ -31,7 +31,8 @@ TEST_CASE("at 30, 60 and 144 Hz the same throw differs by exactly what the order
         REQUIRE(e2.size() == 19);
         for (std::size_t i = 0; i < e1.size(); ++i) {
             const double t = static_cast<double>(i) / 6;
-            const Vector3 expected = throw_error(Method::euler, gravity, t, 1.0 / slow) - throw_error(Method::euler, gravity, t, 1.0 / fast);
+            const Vector3 expected = throw_error(Method::euler, gravity, t, 1.0 / slow) -
+                                     throw_error(Method::euler, gravity, t, 1.0 / fast);
             CHECK((e1[i] - e2[i] - expected).norm() < round_off);
             CHECK((v1[i] - v2[i]).norm() < round_off);
         }
@@ -54,30 +55,39 @@ TEST_CASE("the accumulator hands out whole steps and keeps the rest") {
 TEST_CASE("whatever the frames, the same steps are made: the physics does not see the frame rate") {
     long at_60 = 0, at_144 = 0, ragged = 0;
     GameClock a{1.0 / 128}, b{1.0 / 128}, c{1.0 / 128};
-    for (int i = 0; i < 60 * 4; ++i) at_60 += steps_due(a, 1.0 / 64);      // binary fractions: no rounding in the sums
+    for (int i = 0; i < 60 * 4; ++i)
+        at_60 += steps_due(a, 1.0 / 64);  // binary fractions: no rounding in the sums
     for (int i = 0; i < 144 * 4; ++i) at_144 += steps_due(b, 1.0 / 256);
     for (int i = 0; i < 100; ++i) ragged += steps_due(c, (i % 7) / 256.0);
     CHECK(at_60 == 480);
     CHECK(at_144 == 288);
-    CHECK(static_cast<double>(ragged) / 128 + c.owed == Approx([] { double sum = 0; for (int i = 0; i < 100; ++i) sum += (i % 7) / 256.0; return sum; }()).epsilon(1e-15));
+    CHECK(static_cast<double>(ragged) / 128 + c.owed == Approx([] {
+                                                            double sum = 0;
+                                                            for (int i = 0; i < 100; ++i)
+                                                                sum += (i % 7) / 256.0;
+                                                            return sum;
+                                                        }())
+                                                            .epsilon(1e-15));
 }
 
 TEST_CASE("the spiral of death: a step that costs more than it simulates, and the cap that ends it") {
-    const double step = 1.0 / 60, cost = 0.020;   // [s] of machine time a step: slower than real time
+    const double step = 1.0 / 60, cost = 0.020;  // [s] of machine time a step: slower than real time
     const auto frames = [&](int most_steps) {
         GameClock clock{step, 0, most_steps};
         std::vector<int> made;
         double frame = step;
         for (int i = 0; i < 40; ++i) {
             made.push_back(steps_due(clock, frame));
-            frame = std::max(step, made.back() * cost);   // the machine needs this long for the frame
+            frame = std::max(step, made.back() * cost);  // the machine needs this long for the frame
         }
         return made;
     };
     const auto spiral = frames(1'000'000), capped = frames(4);
-    // without the cap each frame owes cost/step = 1.2 times the one before, less a fraction of a step kept for later
+    // without the cap each frame owes cost/step = 1.2 times the one before, less a fraction of a step kept
+    // for later
     CHECK(spiral.back() > 100);
-    for (std::size_t i = 20; i < spiral.size(); ++i) CHECK(spiral[i] / static_cast<double>(spiral[i - 1]) == Approx(1.2).epsilon(0.05));
+    for (std::size_t i = 20; i < spiral.size(); ++i)
+        CHECK(spiral[i] / static_cast<double>(spiral[i - 1]) == Approx(1.2).epsilon(0.05));
     for (int made : capped) CHECK(made <= 4);
 }
 

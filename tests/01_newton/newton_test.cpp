@@ -16,7 +16,9 @@ struct Push {
     PointMass start{2.5, {1, 2, 3}, {4, -5, 6}};
     double duration = 2;
     Vector3 operator()(const PointMass& body, double) const { return body.mass * acceleration; }
-    Vector3 exact_position(double t) const { return start.position + start.velocity * t + acceleration * t * t / 2; }
+    Vector3 exact_position(double t) const {
+        return start.position + start.velocity * t + acceleration * t * t / 2;
+    }
 };
 
 template <class Step>
@@ -29,7 +31,7 @@ Vector3 computed_minus_exact(const Step& method, long steps) {
 
 TEST_CASE("without a force every method goes straight, to round-off") {
     const StraightLine scene;
-    const double bound = 200 * ulp * 10;   // 200 additions, each half an ulp of at most 10 m
+    const double bound = 200 * ulp * 10;  // 200 additions, each half an ulp of at most 10 m
     CHECK(lab::measure(scene, euler_method, 200).max_error < bound);
     CHECK(lab::measure(scene, semi_implicit_euler_method, 200).max_error < bound);
     CHECK(lab::measure(scene, verlet_method, 200).max_error < bound);
@@ -49,11 +51,13 @@ TEST_CASE("eqs. (1)-(3): velocity and acceleration come back from positions") {
     CHECK_THROWS_WITH(velocity_between(p0, p0, std::nan("")), ContainsSubstring("finite"));
 }
 
-TEST_CASE("the error of a throw is -aTdt/2 for Euler, +aTdt/2 for semi-implicit Euler, 0 for Verlet, to round-off") {
+TEST_CASE(
+    "the error of a throw is -aTdt/2 for Euler, +aTdt/2 for semi-implicit Euler, 0 for Verlet, to "
+    "round-off") {
     const Push scene;
     for (long steps : {1L, 2L, 7L, 60L, 1000L}) {
         const double dt = scene.duration / static_cast<double>(steps), T = scene.duration;
-        const double bound = static_cast<double>(steps) * 30 * ulp;   // an ulp of |p| < 30 m for every step
+        const double bound = static_cast<double>(steps) * 30 * ulp;  // an ulp of |p| < 30 m for every step
         const Vector3 lag = scene.acceleration * T * dt / 2;
         CHECK((computed_minus_exact(euler_method, steps) + lag).norm() < bound);
         CHECK((computed_minus_exact(semi_implicit_euler_method, steps) - lag).norm() < bound);
@@ -87,8 +91,8 @@ TEST_CASE("the step that keeps Euler within a pixel does, and one step fewer doe
     const long steps = lab::steps_of(scene.duration, dt);
     CHECK(lab::measure(scene, euler_method, steps).final_error <= scene.need.tolerance);
     CHECK(lab::measure(scene, euler_method, steps - 1).final_error > scene.need.tolerance);
-    CHECK(euler_step_within(1e6, gravity, 3) == 3);                // one step is enough
-    CHECK(euler_step_within(0.1, Vector3::Zero(), 3) == 3);        // nothing to get wrong
+    CHECK(euler_step_within(1e6, gravity, 3) == 3);          // one step is enough
+    CHECK(euler_step_within(0.1, Vector3::Zero(), 3) == 3);  // nothing to get wrong
     CHECK_THROWS_WITH(euler_step_within(0, gravity, 3), ContainsSubstring("tolerance"));
     CHECK_THROWS_WITH(euler_step_within(0.1, gravity, -3), ContainsSubstring("duration"));
 }
@@ -109,7 +113,10 @@ TEST_CASE("Verlet with the kept force gives the same bits as Verlet") {
 
 TEST_CASE("a force may depend on time: each method asks for it at the right moment") {
     std::vector<double> asked;
-    const auto forces = [&](const PointMass&, double t) -> Vector3 { asked.push_back(t); return {t, 0, 0}; };
+    const auto forces = [&](const PointMass&, double t) -> Vector3 {
+        asked.push_back(t);
+        return {t, 0, 0};
+    };
     const PointMass start;
     euler(start, forces, 1, 0.5);
     semi_implicit_euler(start, forces, 1, 0.5);
@@ -121,6 +128,7 @@ TEST_CASE("a point mass that cannot be simulated is refused at the door") {
     CHECK_THROWS_WITH(checked({0, {0, 0, 0}, {0, 0, 0}}), ContainsSubstring("mass"));
     CHECK_THROWS_WITH(checked({-1, {0, 0, 0}, {0, 0, 0}}), ContainsSubstring("mass"));
     CHECK_THROWS_WITH(checked({1, {0, std::nan(""), 0}, {0, 0, 0}}), ContainsSubstring("position"));
-    CHECK_THROWS_WITH(checked({1, {0, 0, 0}, {std::numeric_limits<double>::infinity(), 0, 0}}), ContainsSubstring("velocity"));
+    CHECK_THROWS_WITH(checked({1, {0, 0, 0}, {std::numeric_limits<double>::infinity(), 0, 0}}),
+                      ContainsSubstring("velocity"));
     CHECK(checked({2, {1, 2, 3}, {4, 5, 6}}).mass == 2);
 }

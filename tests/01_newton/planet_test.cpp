@@ -12,7 +12,8 @@ namespace {
 const double ulp = std::numeric_limits<double>::epsilon();
 
 template <class Step>
-Convergence convergence(const Step& method, std::vector<long> steps, double (*error)(const lab::Measurement&)) {
+Convergence convergence(const Step& method, std::vector<long> steps,
+                        double (*error)(const lab::Measurement&)) {
     Convergence c;
     for (long n : steps) {
         const auto m = lab::measure(Planet{}, method, n);
@@ -21,13 +22,17 @@ Convergence convergence(const Step& method, std::vector<long> steps, double (*er
     return c;
 }
 
-double max_error(const lab::Measurement& m) { return m.max_error; }
-double final_error(const lab::Measurement& m) { return m.final_error; }
+double max_error(const lab::Measurement& m) {
+    return m.max_error;
+}
+double final_error(const lab::Measurement& m) {
+    return m.final_error;
+}
 
 template <class Step>
 double turn_per_orbit(const Step& method, long steps_an_orbit) {
     Aphelia aphelia;
-    lab::run(Planet::for_orbits(21), method, 21 * steps_an_orbit,   // 21 aphelia: 20 orbits between them
+    lab::run(Planet::for_orbits(21), method, 21 * steps_an_orbit,  // 21 aphelia: 20 orbits between them
              [&](const PointMass& planet, double) { aphelia.look(planet.position); });
     REQUIRE(aphelia.angles.size() == 21);
     return aphelia.turn_per_orbit();
@@ -59,26 +64,29 @@ TEST_CASE("Euler's angular momentum grows by exactly 1 + GM dt^2 / r^3 in every 
         before = planet;
         CHECK(std::abs(angular_momentum(planet).z() - expected) <= 4 * (t / dt + 1) * ulp * expected);
     });
-    CHECK(expected > 1.02 * angular_momentum(scene.start).z());   // the product is a real growth, not round-off
+    CHECK(expected >
+          1.02 * angular_momentum(scene.start).z());  // the product is a real growth, not round-off
 }
 
 TEST_CASE("semi-implicit Euler and Verlet keep the angular momentum vector to round-off") {
     const Planet scene = Planet::for_orbits(20);
-    const double bound = 20 * 500 * 2 * ulp;   // an ulp or two of |r v| <= 1 in each of 10 000 steps
+    const double bound = 20 * 500 * 2 * ulp;  // an ulp or two of |r v| <= 1 in each of 10 000 steps
     CHECK(lab::largest_change(scene, semi_implicit_euler_method, 20 * 500, angular_momentum) < bound);
     CHECK(lab::largest_change(scene, verlet_method, 20 * 500, angular_momentum) < bound);
     CHECK(lab::largest_change(scene, euler_method, 20 * 500, angular_momentum) > 0.1);
 }
 
-TEST_CASE("the axis turns by -1.03e-3 rad an orbit at 500 steps an orbit, for both symplectic methods alike") {
+TEST_CASE(
+    "the axis turns by -1.03e-3 rad an orbit at 500 steps an orbit, for both symplectic methods alike") {
     const double semi_implicit = turn_per_orbit(semi_implicit_euler_method, 500);
     const double verlet_turn = turn_per_orbit(verlet_method, 500);
-    CHECK(verlet_turn == Approx(-1.03e-3).epsilon(0.005));   // the last printed digit of 1.03
+    CHECK(verlet_turn == Approx(-1.03e-3).epsilon(0.005));  // the last printed digit of 1.03
     CHECK(semi_implicit == Approx(verlet_turn).epsilon(1e-3));
-    CHECK(turn_per_orbit(verlet_method, 1000) == Approx(verlet_turn / 4).epsilon(0.02));   // O(dt^2)
+    CHECK(turn_per_orbit(verlet_method, 1000) == Approx(verlet_turn / 4).epsilon(0.02));  // O(dt^2)
 }
 
-TEST_CASE("energy stays in a band of 3-4 % for semi-implicit Euler, 0.12 % for Verlet, and runs away for Euler") {
+TEST_CASE(
+    "energy stays in a band of 3-4 % for semi-implicit Euler, 0.12 % for Verlet, and runs away for Euler") {
     const auto [s_low, s_high] = energy_band(semi_implicit_euler_method, 500);
     CHECK((s_low < -0.03 && s_low > -0.04));
     CHECK((s_high > 0.03 && s_high < 0.04));
@@ -93,14 +101,19 @@ TEST_CASE("orders over one orbit, by the maximum error: 1, 1, 2") {
     CHECK_THAT(convergence(verlet_method, {2000, 4000, 8000, 16000}, max_error), HasOrder(2));
 }
 
-TEST_CASE("from perihelion and after whole orbits, semi-implicit Euler seems second order, but from elsewhere it does not") {
-    // It is Verlet between half a kick and its undoing: S = K(-h/2) V K(h/2). At perihelion the half kick stands at right
-    // angles to the velocity, changes neither energy nor year at first order, and is undone when the planet is back.
+TEST_CASE(
+    "from perihelion and after whole orbits, semi-implicit Euler seems second order, but from elsewhere it "
+    "does not") {
+    // It is Verlet between half a kick and its undoing: S = K(-h/2) V K(h/2). At perihelion the half kick
+    // stands at right angles to the velocity, changes neither energy nor year at first order, and is undone
+    // when the planet is back.
     CHECK_THAT(convergence(semi_implicit_euler_method, {2000, 4000, 8000, 16000}, final_error), HasOrder(2));
 
     struct FromElsewhere : Planet {
         FromElsewhere() { start = Planet::exact(1); }
-        double error(const PointMass& planet, double t) const { return distance(planet, Planet::exact(1 + t)); }
+        double error(const PointMass& planet, double t) const {
+            return distance(planet, Planet::exact(1 + t));
+        }
     };
     Convergence c;
     for (long steps : {2000L, 4000L, 8000L, 16000L}) {
@@ -119,7 +132,8 @@ TEST_CASE("semi-implicit Euler is Verlet between half a kick and its undoing") {
     for (long n = 0; n < steps; ++n) kicked = verlet(kicked, scene, 0, dt);
     kick(kicked, scene(kicked, 0), -dt / 2);
     const PointMass direct = lab::run(scene, semi_implicit_euler_method, steps);
-    // the same numbers but for round-off, which the orbit stretches: 300 steps of an ulp, times a few hundred at perihelion
+    // the same numbers but for round-off, which the orbit stretches: 300 steps of an ulp, times a few hundred
+    // at perihelion
     CHECK((kicked.position - direct.position).norm() < 1e5 * ulp);
     CHECK((kicked.velocity - direct.velocity).norm() < 1e5 * ulp);
 }

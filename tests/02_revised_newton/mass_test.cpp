@@ -1,14 +1,16 @@
 // Chapter 2: mass that comes and goes. When K = m v with a changing mass may be used, and when not (E05).
+#include <random>
 #include "check.hpp"
 #include "near.hpp"
-#include <random>
 
 using namespace nutshell;
 
 TEST_CASE("an exchange keeps the momentum of body and parcel, whatever its speed", "[exchange]") {
     std::mt19937 random(2);
     std::uniform_real_distribution<double> number(-1, 1);
-    const auto vector = [&](double size) { return Vector3(size * number(random), size * number(random), size * number(random)); };
+    const auto vector = [&](double size) {
+        return Vector3(size * number(random), size * number(random), size * number(random));
+    };
     for (int i = 0; i < 1000; ++i) {
         const Particle before{2 + number(random), vector(5), vector(20)};
         const Vector3 w = vector(100);
@@ -19,12 +21,14 @@ TEST_CASE("an exchange keeps the momentum of body and parcel, whatever its speed
         CHECK((body.momentum + parcel.momentum - before.momentum).norm() <=
               2 * epsilon * (before.momentum.norm() + parcel.momentum.norm()));
         CHECK(body.mass + parcel.mass == near(before.mass, epsilon * before.mass));
-        CHECK((velocity(parcel) - velocity(before) - w).norm() <= 4 * epsilon * (w.norm() + velocity(before).norm()));
+        CHECK((velocity(parcel) - velocity(before) - w).norm() <=
+              4 * epsilon * (w.norm() + velocity(before).norm()));
         CHECK(body.position == before.position);
         // the exchange undone: the parcel comes back at the velocity at which it left
         exchange(body, parcel.mass, velocity(parcel) - velocity(body));
         CHECK((body.momentum - before.momentum).norm() <=
-              16 * epsilon * (before.momentum.norm() + before.mass * (w.norm() + velocity(before).norm())) * before.mass / (before.mass - lost));
+              16 * epsilon * (before.momentum.norm() + before.mass * (w.norm() + velocity(before).norm())) *
+                  before.mass / (before.mass - lost));
     }
 }
 
@@ -61,38 +65,42 @@ TEST_CASE("E05: eqs. 11-15 read with K = m v speed the leaky cart up from 10 to 
     for_each_method([&](const std::string& name, auto method) {
         INFO(name);
         const VariableMass end = lab::run(printed, method, 1000);
-        CHECK(end.momentum == printed.start.momentum);   // "F = 0, so K is constant"
+        CHECK(end.momentum == printed.start.momentum);  // "F = 0, so K is constant"
         CHECK(velocity(end).x() == near(20, 1e-11));
     });
-    // and it goes 200 ln 2 m instead of 100 m: position by the trapezium rule for 1/m, error <= dt^2/12 T max|v''|
+    // and it goes 200 ln 2 m instead of 100 m: position by the trapezium rule for 1/m, error <= dt^2/12 T
+    // max|v''|
     const double dt = 0.01, bound = dt * dt / 12 * 10 * (20 * 2 * 0.01 * 1.01);
     CHECK(lab::run(printed, euler_method, 1000).position.x() == near(200 * std::log(2), bound));
 }
 
 TEST_CASE("E05: the truth is the same for every observer, the printed reading is not", "[cart][erratum]") {
-    const Vector3 frame{10, 0, 0};   // moves along with the cart
-    const auto final_speed = [&](const LeakyCart& cart) {   // as told by the observer on the ground
+    const Vector3 frame{10, 0, 0};                         // moves along with the cart
+    const auto final_speed = [&](const LeakyCart& cart) {  // as told by the observer on the ground
         return velocity(lab::run(cart.seen_from(frame), euler_method, 1000)).x() + frame.x();
     };
     CHECK(final_speed(LeakyCart{}) == 10.0);
-    CHECK(final_speed(LeakyCart::as_printed()) == 10.0);   // beside 20.0 when the ground does its own sums
+    CHECK(final_speed(LeakyCart::as_printed()) == 10.0);  // beside 20.0 when the ground does its own sums
     const LeakyCart slower = LeakyCart::as_printed().seen_from({4, 0, 0});
-    CHECK(velocity(lab::run(slower, euler_method, 1000)).x() + 4 == near(16, 1e-11));   // any speed is on offer
+    CHECK(velocity(lab::run(slower, euler_method, 1000)).x() + 4 ==
+          near(16, 1e-11));  // any speed is on offer
     const LeakyCart truth = LeakyCart{}.seen_from({4, 0, 0});
     CHECK(velocity(lab::run(truth, euler_method, 1000)).x() + 4 == near(10, 1e-11));
 }
 
 TEST_CASE("E05: the printed reading is a rocket whose exhaust is as fast as itself", "[cart][erratum]") {
-    // What leaves is left at rest in the world: relative to the cart it goes backwards at the cart's own speed.
+    // What leaves is left at rest in the world: relative to the cart it goes backwards at the cart's own
+    // speed.
     VariableMass cart = LeakyCart::as_printed().start;
     const Vector3 v = velocity(cart);
     CHECK(relative_velocity(cart.flow, cart, -0.1) == -v);
     const Particle sand = eject(cart, 0.1, relative_velocity(cart.flow, cart, -0.1));
     CHECK(sand.momentum == Vector3::Zero());
-    CHECK(cart.momentum + sand.momentum == LeakyCart::as_printed().start.momentum);   // these books balance, too
+    CHECK(cart.momentum + sand.momentum ==
+          LeakyCart::as_printed().start.momentum);  // these books balance, too
     const Vector3 a = acceleration(Vector3::Zero(), 2, -v, -0.1);
-    CHECK(a.x() == near(0.5, 2 * epsilon));                                                // a thrust of 1 N
-    CHECK(acceleration(Vector3::Zero(), 2, Vector3::Zero(), -0.1) == Vector3::Zero());        // the leak: none
+    CHECK(a.x() == near(0.5, 2 * epsilon));                                             // a thrust of 1 N
+    CHECK(acceleration(Vector3::Zero(), 2, Vector3::Zero(), -0.1) == Vector3::Zero());  // the leak: none
 }
 
 TEST_CASE("raindrop: momentum by the printed equations, to round-off of its sums", "[raindrop]") {
@@ -105,7 +113,7 @@ TEST_CASE("raindrop: momentum by the printed equations, to round-off of its sums
     CHECK((lab::run(drop, euler_method, steps).momentum - euler_K).norm() <= bound);
     CHECK((lab::run(drop, semi_implicit_euler_method, steps).momentum - euler_K).norm() <= bound);
     CHECK((lab::run(drop, verlet_method, steps).momentum - half_kick_K).norm() <= bound);
-    CHECK((euler_K - half_kick_K).norm() > 10 * bound);   // the two are not the same number
+    CHECK((euler_K - half_kick_K).norm() > 10 * bound);  // the two are not the same number
 
     // eqs. (12), (13), (15) as printed, by hand, with the mass of the moment
     Vector3 K = drop.start.momentum;
@@ -125,7 +133,8 @@ TEST_CASE("raindrop: position at its order, and sideways it slows as 1/m", "[rai
     const VariableMass end = lab::run(drop, verlet_method, 100);
     CHECK(end.momentum.x() == drop.start.momentum.x());
     CHECK(velocity(end).x() == near(3.0 / 5, 1e-13));
-    // read with K constant per mass instead (w = 0): what arrives would bring the drop's own velocity, a free fall
+    // read with K constant per mass instead (w = 0): what arrives would bring the drop's own velocity, a free
+    // fall
     Raindrop moving = drop;
     moving.start.flow.relative_to = RelativeTo::body;
     const VariableMass fallen = lab::run(moving, verlet_method, 100);

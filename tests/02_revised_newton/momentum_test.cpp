@@ -1,7 +1,7 @@
 // Chapter 2: momentum as the state; superposition; the verbs' contracts.
+#include <algorithm>
 #include "check.hpp"
 #include "near.hpp"
-#include <algorithm>
 
 using namespace nutshell;
 
@@ -25,7 +25,8 @@ TEST_CASE("the same throw in momentum: to round-off for any mass", "[throw]") {
         INFO(name << ", mass " << mass);
         const PointMass in_velocity = lab::run(scene.ball, method, steps);
         const Particle body = lab::run(scene, method, steps);
-        // A step rounds the velocity a few times by at most epsilon/2 of its size; the drift adds that up over T.
+        // A step rounds the velocity a few times by at most epsilon/2 of its size; the drift adds that up
+        // over T.
         const double fastest = 25, bound = 4 * epsilon * steps * fastest;
         CHECK((velocity(body) - in_velocity.velocity).norm() <= bound);
         CHECK((body.position - in_velocity.position).norm() <= bound * scene.duration);
@@ -36,20 +37,25 @@ TEST_CASE("the throw in momentum obeys chapter 1's error law", "[throw]") {
     const MomentumThrow scene = MomentumThrow::of_mass(3);
     const long steps = 90;
     const double dt = scene.duration / steps, T = scene.duration;
-    const auto off = [&](auto method) -> Vector3 { return lab::run(scene, method, steps).position - scene.exact(T).position; };
+    const auto off = [&](auto method) -> Vector3 {
+        return lab::run(scene, method, steps).position - scene.exact(T).position;
+    };
     const double bound = 4 * epsilon * steps * 25 * T;
     CHECK((off(euler_method) - throw_error(Method::euler, gravity, T, dt)).norm() <= bound);
-    CHECK((off(semi_implicit_euler_method) - throw_error(Method::semi_implicit_euler, gravity, T, dt)).norm() <= bound);
+    CHECK(
+        (off(semi_implicit_euler_method) - throw_error(Method::semi_implicit_euler, gravity, T, dt)).norm() <=
+        bound);
     CHECK((off(verlet_method) - throw_error(Method::verlet, gravity, T, dt)).norm() <= bound);
 }
 
-TEST_CASE("many forces are one force: the order of the list changes nothing beyond round-off", "[superposition]") {
+TEST_CASE("many forces are one force: the order of the list changes nothing beyond round-off",
+          "[superposition]") {
     ManyForces scene;
     const long steps = 240;
     double sum_of_sizes = scene.shake.norm();
     for (const Vector3& rope : scene.ropes) sum_of_sizes += rope.norm();
-    // Five terms, four roundings of at most epsilon/2 of the sum of sizes, in either order; and each step of either
-    // run rounds its own momentum once and its position twice.
+    // Five terms, four roundings of at most epsilon/2 of the sum of sizes, in either order; and each step of
+    // either run rounds its own momentum once and its position twice.
     const double force_bound = 4 * epsilon * sum_of_sizes, T = scene.duration;
     const double momentum_bound = force_bound * T + epsilon * steps * 60;
     const double position_bound = momentum_bound / scene.start.mass * T + 2 * epsilon * steps * 10;
@@ -66,7 +72,7 @@ TEST_CASE("many forces are one force: the order of the list changes nothing beyo
         largest = std::max(largest, (other.position - first.position).norm());
     } while (std::next_permutation(scene.order.begin(), scene.order.end()));
     CHECK(orders == 120);
-    CHECK(largest > 0);   // the orders do differ in their last bits: the test is not empty
+    CHECK(largest > 0);  // the orders do differ in their last bits: the test is not empty
 }
 
 TEST_CASE("forces that depend on time only: the motions add as the forces do", "[superposition]") {
@@ -91,11 +97,14 @@ TEST_CASE("forces that depend on time only: the motions add as the forces do", "
 
 TEST_CASE("many forces: exact solution and orders", "[superposition]") {
     const ManyForces scene;
-    // exact: its second difference is the force; h = 1e-3 leaves h^2/12 of the fourth derivative and round-off/h^2
+    // exact: its second difference is the force; h = 1e-3 leaves h^2/12 of the fourth derivative and
+    // round-off/h^2
     const double h = 1e-3, t = 2.35;
-    const Vector3 a = (scene.exact(t + h).position - 2 * scene.exact(t).position + scene.exact(t - h).position) / (h * h);
+    const Vector3 a =
+        (scene.exact(t + h).position - 2 * scene.exact(t).position + scene.exact(t - h).position) / (h * h);
     const double shake_a = scene.shake.norm() / scene.start.mass, w = scene.shake_rate;
-    CHECK((a - scene(scene.start, t) / scene.start.mass).norm() <= 1.1 * h * h / 12 * shake_a * w * w + 4e-16 * 40 / (h * h));
+    CHECK((a - scene(scene.start, t) / scene.start.mass).norm() <=
+          1.1 * h * h / 12 * shake_a * w * w + 4e-16 * 40 / (h * h));
     CHECK((scene.exact(0).position - scene.start.position).norm() == 0);
 
     CHECK_THAT(convergence(scene, euler_method, {1200, 2400, 4800, 9600}), HasOrder(1));
@@ -113,11 +122,12 @@ TEST_CASE("total_force: none, one, and a list of any kind", "[superposition]") {
 TEST_CASE("contracts of chapter 2", "[contracts]") {
     Particle body{2, {0, 0, 0}, {4, 0, 0}};
     CHECK_NOTHROW(checked(body));
-    CHECK_THROWS_WITH(checked(Particle{0, Vector3::Zero(), Vector3::Zero()}), ContainsSubstring("mass of a particle"));
+    CHECK_THROWS_WITH(checked(Particle{0, Vector3::Zero(), Vector3::Zero()}),
+                      ContainsSubstring("mass of a particle"));
     CHECK_THROWS_WITH(checked(Particle{1, Vector3::Zero(), {NAN, 0, 0}}), ContainsSubstring("momentum"));
     CHECK_THROWS_WITH(checked(Particle{1, {INFINITY, 0, 0}, Vector3::Zero()}), ContainsSubstring("position"));
     CHECK_THROWS_WITH(exchange(body, -2, Vector3::Zero()), ContainsSubstring("mass left"));
-    CHECK(body.mass == 2);   // a refused exchange changes nothing
+    CHECK(body.mass == 2);  // a refused exchange changes nothing
     CHECK(body.momentum == Vector3(4, 0, 0));
     CHECK_THROWS_AS(midway(1, -1, Vector3::Zero()), std::invalid_argument);
     CHECK_THROWS_AS(acceleration(Vector3::Zero(), 0, Vector3::Zero(), 1), std::invalid_argument);

@@ -1,9 +1,10 @@
-// Chapter 1's methods in turn, an error study, and numbers within a distance: shared by the tests of this room.
+// Chapter 1's methods in turn, an error study, and numbers within a distance: shared by the tests of this
+// room.
 #pragma once
-#include "check.hpp"
 #include <nutshell/lab/run.hpp>
 #include <nutshell/newton_methods.hpp>
 #include <nutshell/revised_newton_scenes.hpp>
+#include "check.hpp"
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 

@@ -24,22 +24,26 @@ TEST_CASE("N parcels give exactly u times the sum of parcel over what is left", 
     }
     const double bound = 8 * epsilon * n * u * 2;
     CHECK(velocity(lab::run(rocket, euler_method, n)).x() == near(u * sum, bound));
-    CHECK(velocity(lab::run(Rocket::with_midway(rocket), euler_method, n)).x() == near(u * midway_sum, bound));
+    CHECK(velocity(lab::run(Rocket::with_midway(rocket), euler_method, n)).x() ==
+          near(u * midway_sum, bound));
     CHECK(u * sum > rocket_gain(u, 10, 2.5));
     CHECK(u * midway_sum < rocket_gain(u, 10, 2.5));
 }
 
-TEST_CASE("rocket plus exhaust: the momentum books balance to round-off, with and without gravity", "[rocket][books]") {
+TEST_CASE("rocket plus exhaust: the momentum books balance to round-off, with and without gravity",
+          "[rocket][books]") {
     for (const Rocket& flight : {Rocket{}, Rocket{Launch{}}})
         for (const bool midway_parcels : {false, true})
             for (const long steps : {1L, 30L, 300L})
                 for_each_method([&](const std::string& name, auto method) {
                     INFO(flight.name << ", " << name << ", " << steps << " steps, midway " << midway_parcels);
                     RocketBooks books{midway_parcels ? Rocket::with_midway(flight) : flight};
-                    // Every entry is a momentum of at most m0 u (the exhaust's), rounded by epsilon/2; there is one
-                    // for each kick of each parcel (or the rocket), and the final sum rounds once per parcel.
+                    // Every entry is a momentum of at most m0 u (the exhaust's), rounded by epsilon/2; there
+                    // is one for each kick of each parcel (or the rocket), and the final sum rounds once per
+                    // parcel.
                     const double entries = static_cast<double>(steps + 1) + 2 * static_cast<double>(steps);
-                    const double bound = epsilon * entries * flight.start.mass * flight.start.flow.velocity.norm();
+                    const double bound =
+                        epsilon * entries * flight.start.mass * flight.start.flow.velocity.norm();
                     double worst = 0, exhaust = 0;
                     lab::run(books, method, steps, [&](const RocketAndExhaust& all, double t) {
                         worst = std::max(worst, (total_momentum(all) - books.exact_momentum(t)).norm());
@@ -47,15 +51,16 @@ TEST_CASE("rocket plus exhaust: the momentum books balance to round-off, with an
                         CHECK(total_mass(all) == near(10, 2 * epsilon * 10 * static_cast<double>(steps + 1)));
                     });
                     CHECK(worst <= bound);
-                    CHECK(exhaust > 50);   // there was something to balance
+                    CHECK(exhaust > 50);  // there was something to balance
                 });
 }
 
 TEST_CASE("balanced books are no proof of the right speed", "[rocket][books]") {
     const RocketBooks one_shot;
-    const RocketAndExhaust end = lab::run(one_shot, euler_method, 1);   // three quarters of the rocket in one parcel
+    const RocketAndExhaust end =
+        lab::run(one_shot, euler_method, 1);  // three quarters of the rocket in one parcel
     CHECK(total_momentum(end).norm() <= epsilon * 1000);
-    CHECK(velocity(end.rocket).x() == near(300, 1e-12));        // the truth is 138.6
+    CHECK(velocity(end.rocket).x() == near(300, 1e-12));  // the truth is 138.6
 }
 
 TEST_CASE("the centre of mass of rocket and exhaust moves like chapter 1's ball", "[rocket][books]") {
@@ -63,11 +68,15 @@ TEST_CASE("the centre of mass of rocket and exhaust moves like chapter 1's ball"
     const long steps = 60;
     const double T = books.duration, dt = T / steps;
     const Vector3 parabola = gravity * T * T / 2;
-    const auto off = [&](auto method) -> Vector3 { return centre_of_mass(lab::run(books, method, steps)) - parabola; };
+    const auto off = [&](auto method) -> Vector3 {
+        return centre_of_mass(lab::run(books, method, steps)) - parabola;
+    };
     // the sum of mass x position has terms up to m0 u T, each rounded once or twice a step
     const double bound = 4 * epsilon * steps * 40 * T;
     CHECK((off(euler_method) - throw_error(Method::euler, gravity, T, dt)).norm() <= bound);
-    CHECK((off(semi_implicit_euler_method) - throw_error(Method::semi_implicit_euler, gravity, T, dt)).norm() <= bound);
+    CHECK(
+        (off(semi_implicit_euler_method) - throw_error(Method::semi_implicit_euler, gravity, T, dt)).norm() <=
+        bound);
     CHECK((off(verlet_method) - throw_error(Method::verlet, gravity, T, dt)).norm() <= bound);
 }
 
@@ -98,7 +107,7 @@ TEST_CASE("the exact rocket: gain, height, and m a = F + w dm/dt", "[rocket][exa
     CHECK(velocity(rocket.exact(15)).x() == near(rocket_gain(100, 10, 2.5), 1e-12));
     CHECK(rocket_gain(100, 10, 2.5) == near(138.62943611198906, 1e-12));
 
-    Launch up;   // straight up: the curriculum's formulas
+    Launch up;  // straight up: the curriculum's formulas
     up.start.flow.velocity = {0, -40, 0};
     const double t = 1.2, m = 10 - 5 * t, g = 9.81, log = std::log(10 / m);
     CHECK(velocity(up.exact(t)).y() == near(40 * log - g * t, 1e-13));
@@ -110,7 +119,8 @@ TEST_CASE("the exact rocket: gain, height, and m a = F + w dm/dt", "[rocket][exa
     const double h = 1e-5;
     const Vector3 a = (v(t + h) - v(t - h)) / (2 * h);
     const Vector3 law = acceleration(m * gravity, m, launch.start.flow.velocity, launch.start.flow.rate);
-    CHECK((a - law).norm() <= 1e-7);   // h^2/6 of the jerk's rate (about 2500 m/s^4 here), and round-off 1e-15 v/h
+    CHECK((a - law).norm() <=
+          1e-7);  // h^2/6 of the jerk's rate (about 2500 m/s^4 here), and round-off 1e-15 v/h
 }
 
 TEST_CASE("propellant_for undoes rocket_gain", "[rocket]") {

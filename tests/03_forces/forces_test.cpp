@@ -2,8 +2,8 @@
 #include <nutshell/forces_methods.hpp>
 #include <nutshell/forces_scenes.hpp>
 #include <nutshell/log_hamiltonian.hpp>
-#include <nutshell/stale_drag.hpp>
 #include <nutshell/stability_limits.hpp>
+#include <nutshell/stale_drag.hpp>
 #include "study.hpp"
 
 using namespace nutshell;
@@ -17,7 +17,8 @@ template <class Energy>
 Vector3 minus_gradient(const Energy& energy, const Vector3& at) {
     const double h = 1e-5;
     Vector3 force;
-    for (int i = 0; i < 3; ++i) force[i] = -(energy(at + h * Vector3::Unit(i)) - energy(at - h * Vector3::Unit(i))) / (2 * h);
+    for (int i = 0; i < 3; ++i)
+        force[i] = -(energy(at + h * Vector3::Unit(i)) - energy(at - h * Vector3::Unit(i))) / (2 * h);
     return force;
 }
 
@@ -26,10 +27,13 @@ Vector3 minus_gradient(const Energy& energy, const Vector3& at) {
 TEST_CASE("E07: weight is m g in newton, down, and the slope of its energy") {
     CHECK(gravity_force(2) == Vector3(0, -19.62, 0));
     CHECK(gravity_force(2, 9.8) == Vector3(0, -19.6, 0));
-    CHECK((minus_gradient([](const Vector3& at) { return gravity_energy(2, at); }, p) - gravity_force(2)).norm() < 1e-8);
+    CHECK((minus_gradient([](const Vector3& at) { return gravity_energy(2, at); }, p) - gravity_force(2))
+              .norm() < 1e-8);
 }
 
-TEST_CASE("E08: a spring pulls when long, pushes when short, on both ends alike, and does nothing where its ends meet") {
+TEST_CASE(
+    "E08: a spring pulls when long, pushes when short, on both ends alike, and does nothing where its ends "
+    "meet") {
     for (const double rest : {0.0, 1.0, 5.0}) {
         const Spring spring{3, rest};
         const auto energy = [&](const Vector3& at) { return spring_energy(spring, at, q); };
@@ -46,24 +50,27 @@ TEST_CASE("E08: a spring pulls when long, pushes when short, on both ends alike,
 }
 
 TEST_CASE("E08: the ends of a spring that meet during a run feel no force there, and part again") {
-    struct ToAnchor {   // binary numbers, so that the mass is at the anchor exactly after two steps
+    struct ToAnchor {  // binary numbers, so that the mass is at the anchor exactly after two steps
         std::string name = "to the anchor";
         PointMass start{1, {1, 0, 0}, {-2, 0, 0}};
         double duration = 1;
         Spring spring{0.0, 0.5};
-        Vector3 operator()(const PointMass& mass, double) const { return spring_force(spring, mass.position, {0, 0, 0}); }
+        Vector3 operator()(const PointMass& mass, double) const {
+            return spring_force(spring, mass.position, {0, 0, 0});
+        }
     };
-    ToAnchor slack;   // no stiffness: it coasts through the anchor
+    ToAnchor slack;  // no stiffness: it coasts through the anchor
     PointMass s = slack.start;
     for (int n = 0; n < 2; ++n) s = verlet(s, slack, 0, 0.25);
     REQUIRE(s.position == Vector3::Zero());
-    for (const double stiffness : {1.0, 100.0, 1e6}) {   // now stiff, from the very point where the ends meet
+    for (const double stiffness : {1.0, 100.0, 1e6}) {  // now stiff, from the very point where the ends meet
         ToAnchor stiff;
         stiff.spring.stiffness = stiffness;
         stiff.start = s;
         CHECK(stiff(s, 0) == Vector3::Zero());
         for (const double dt : {1e-2, 1e-4}) {
-            const PointMass a = euler(s, stiff, 0, dt), b = semi_implicit_euler(s, stiff, 0, dt), c = verlet(s, stiff, 0, dt);
+            const PointMass a = euler(s, stiff, 0, dt), b = semi_implicit_euler(s, stiff, 0, dt),
+                            c = verlet(s, stiff, 0, dt);
             CHECK((a.velocity.allFinite() && b.velocity.allFinite() && c.velocity.allFinite()));
             CHECK(a.position == Vector3(-2 * dt, 0, 0));
             const auto y = rk4(flat(s), Flow<ToAnchor>(stiff), 0, dt);
@@ -82,14 +89,16 @@ TEST_CASE("E09: drag takes energy out, against the velocity, and quadratic drag 
 }
 
 TEST_CASE("forces add, and the order of the sum does not matter beyond round-off") {
-    const Vector3 a = gravity_force(2), b = spring_force({3, 1}, p, q), c = linear_drag_force(0.4, v), d = quadratic_drag_force(0.1, v);
+    const Vector3 a = gravity_force(2), b = spring_force({3, 1}, p, q), c = linear_drag_force(0.4, v),
+                  d = quadratic_drag_force(0.1, v);
     const double round_off = 4e-16 * (a.norm() + b.norm() + c.norm() + d.norm());
     CHECK(((a + b + c + d) - (d + c + b + a)).norm() <= round_off);
     CHECK(((a + b + c + d) - (c + a + d + b)).norm() <= round_off);
 }
 
 TEST_CASE("the door: springs, drags, steps and limits say what is wrong") {
-    CHECK_THROWS_WITH(checked(Spring{-1, 0}), ContainsSubstring("stiffness") && ContainsSubstring("not negative"));
+    CHECK_THROWS_WITH(checked(Spring{-1, 0}),
+                      ContainsSubstring("stiffness") && ContainsSubstring("not negative"));
     CHECK_THROWS_WITH(checked(Spring{1, -0.5}), ContainsSubstring("rest length"));
     CHECK_THROWS_WITH(checked(Spring{std::nan(""), 0}), ContainsSubstring("stiffness"));
     CHECK_THROWS_WITH(checked(Spring{1, INFINITY}), ContainsSubstring("rest length"));
@@ -101,25 +110,32 @@ TEST_CASE("the door: springs, drags, steps and limits say what is wrong") {
     CHECK(checked(Spring{2, 3}).rest_length == 3);
     const Flow flow{MassOnSpring{}};
     const auto nothing = [](const FlatPoint&, double) {};
-    CHECK_THROWS_WITH(adaptive(flow.start, flow, 0, 1, {0, 1e-6}, 0.1, nothing), ContainsSubstring("absolute tolerance"));
-    CHECK_THROWS_WITH(adaptive(flow.start, flow, 0, 1, {1e-6, -1}, 0.1, nothing), ContainsSubstring("relative tolerance"));
+    CHECK_THROWS_WITH(adaptive(flow.start, flow, 0, 1, {0, 1e-6}, 0.1, nothing),
+                      ContainsSubstring("absolute tolerance"));
+    CHECK_THROWS_WITH(adaptive(flow.start, flow, 0, 1, {1e-6, -1}, 0.1, nothing),
+                      ContainsSubstring("relative tolerance"));
     CHECK_THROWS_WITH(adaptive(flow.start, flow, 0, 1, {}, 0, nothing), ContainsSubstring("first step"));
-    CHECK_THROWS_WITH(adaptive(flow.start, flow, 1, 1, {}, 0.1, nothing), ContainsSubstring("time from start to end"));
+    CHECK_THROWS_WITH(adaptive(flow.start, flow, 1, 1, {}, 0.1, nothing),
+                      ContainsSubstring("time from start to end"));
     CHECK_THROWS_WITH(lab::run(MassOnSpring{}, verlet_method, 0), ContainsSubstring("at least one step"));
-    CHECK_THROWS_WITH(run_until({Planet{}.start}, LogHamiltonian(1, Planet{}.start), 1, NAN), ContainsSubstring("ds"));
+    CHECK_THROWS_WITH(run_until({Planet{}.start}, LogHamiltonian(1, Planet{}.start), 1, NAN),
+                      ContainsSubstring("ds"));
 }
 
 TEST_CASE("falling: the exact solutions solve their equations, and have their terminal velocities") {
     const FallingWithDrag honey;
     const FallingInAir air;
-    const auto solves = [](const auto& scene, double t) {   // m dv/dt = F and dp/dt = v, by a five-point difference
+    const auto solves = [](const auto& scene,
+                           double t) {  // m dv/dt = F and dp/dt = v, by a five-point difference
         const double h = 1e-3;
         const auto slope = [&](auto part) -> Vector3 {
             return (8 * (part(t + h) - part(t - h)) - (part(t + 2 * h) - part(t - 2 * h))) / (12 * h);
         };
         const PointMass now = scene.exact(t);
-        CHECK((slope([&](double s) -> Vector3 { return scene.exact(s).position; }) - now.velocity).norm() < 1e-9);
-        CHECK((slope([&](double s) -> Vector3 { return scene.exact(s).velocity; }) * now.mass - scene(now, t)).norm() < 1e-9);
+        CHECK((slope([&](double s) -> Vector3 { return scene.exact(s).position; }) - now.velocity).norm() <
+              1e-9);
+        CHECK((slope([&](double s) -> Vector3 { return scene.exact(s).velocity; }) * now.mass - scene(now, t))
+                  .norm() < 1e-9);
     };
     for (const double t : {0.1, 1.0, 4.0}) solves(honey, t), solves(air, t);
     for (const double ratio : {0.0, 0.1, 0.999999, 1.0, 1.000001, 2.0, 20.0})
@@ -127,7 +143,8 @@ TEST_CASE("falling: the exact solutions solve their equations, and have their te
             const MassOnSpring spring = MassOnSpring::with_damping(ratio);
             const double h = 1e-3;
             const Vector3 slope = (8 * (spring.exact(t + h).velocity - spring.exact(t - h).velocity) -
-                                   (spring.exact(t + 2 * h).velocity - spring.exact(t - 2 * h).velocity)) / (12 * h);
+                                   (spring.exact(t + 2 * h).velocity - spring.exact(t - 2 * h).velocity)) /
+                                  (12 * h);
             CHECK((slope - spring(spring.exact(t), t)).norm() < 1e-5);
         }
     CHECK(honey.exact(100).velocity.isApprox(honey.terminal_velocity(), 1e-12));
@@ -144,10 +161,11 @@ TEST_CASE("exact solutions against another method run tight, so that exact is no
     CHECK(distance(tight(FallingWithDrag{}), FallingWithDrag{}.exact(5)) < 1e-10);
     CHECK(distance(tight(FallingInAir{}), FallingInAir{}.exact(5)) < 1e-10);
     for (const double ratio : {0.0, 0.1, 1.0, 2.0})
-        CHECK(distance(tight(MassOnSpring::with_damping(ratio)), MassOnSpring::with_damping(ratio).exact(10)) < 1e-10);
+        CHECK(distance(tight(MassOnSpring::with_damping(ratio)),
+                       MassOnSpring::with_damping(ratio).exact(10)) < 1e-10);
     ThrowInAir air, honey;
     honey.air = 0, honey.drag = 0.3;
-    CHECK(distance(tight(air), air.exact(3)) < 1e-11);     // the accuracy the scene states
+    CHECK(distance(tight(air), air.exact(3)) < 1e-11);  // the accuracy the scene states
     CHECK(distance(tight(honey), honey.exact(3)) < 1e-11);
 }
 
@@ -162,7 +180,7 @@ TEST_CASE("the exact propagator: any step, all three regimes, to a few units of 
         CHECK((oscillation(w, g, 0.07) * oscillation(w, g, 0.07) - oscillation(w, g, 0.14)).norm() < 1e-13);
         CHECK(oscillation(w, g, 0).isApprox(Eigen::Matrix2d::Identity()));
     }
-    CHECK(oscillation(0, 0, 3).isApprox((Eigen::Matrix2d() << 1, 3, 0, 1).finished()));   // no force at all
+    CHECK(oscillation(0, 0, 3).isApprox((Eigen::Matrix2d() << 1, 3, 0, 1).finished()));  // no force at all
     CHECK(oscillation(2, 1000, 50).allFinite());                                         // no cosh overflows
 }
 
@@ -176,12 +194,15 @@ TEST_CASE("the exponential kick: exact under gravity at any step, from no drag t
         const PointMass often = lab::run(scene, exponential_kick_method, 640);
         CHECK((once.position - often.position).norm() < 1e-11);
         CHECK((once.velocity - often.velocity).norm() < 1e-11);
-        if (drag == 0) CHECK((once.position - Vector3(15, 20 - 9.81 * 12.5, 0)).norm() < 1e-12);
-        else if (drag > 1e-3) CHECK(scene.error(once, 5) < 1e-12 * 100);
+        if (drag == 0)
+            CHECK((once.position - Vector3(15, 20 - 9.81 * 12.5, 0)).norm() < 1e-12);
+        else if (drag > 1e-3)
+            CHECK(scene.error(once, 5) < 1e-12 * 100);
     }
     for (const double x : {1e-9, 1e-3, 0.4999, 0.5001, 3.0}) {
         CHECK(mean_decay(x) == Approx((1 - std::exp(-x)) / x).epsilon(1e-6));
-        CHECK(second_mean_decay(x) == Approx(x < 0.1 ? 0.5 - x / 6 + x * x / 24 : (x - 1 + std::exp(-x)) / (x * x)).epsilon(1e-9));
+        CHECK(second_mean_decay(x) ==
+              Approx(x < 0.1 ? 0.5 - x / 6 + x * x / 24 : (x - 1 + std::exp(-x)) / (x * x)).epsilon(1e-9));
     }
     CHECK(second_mean_decay(0.4999999999) == Approx(second_mean_decay(0.5000000001)).epsilon(1e-9));
 }
@@ -192,7 +213,7 @@ TEST_CASE("E59, table 3.8: drag from the last step's velocity is stable to 1 onl
         double gamma;
         Vector3 operator()(const PointMass& s, double) const { return linear_drag_force(gamma, s.velocity); }
     };
-    const auto largest = [](auto method, double x) {   // of |v| in steps 300 to 400
+    const auto largest = [](auto method, double x) {  // of |v| in steps 300 to 400
         const Drag drag{{1, {0, 0, 0}, {1, 0, 0}}, x};
         PointMass s = drag.start;
         double most = 0;
@@ -213,7 +234,7 @@ TEST_CASE("E59, table 3.8: drag from the last step's velocity is stable to 1 onl
     CHECK(largest(euler_method, 1.9) == Approx(std::log10(1.5e-14)).margin(1));
     CHECK(largest(euler_method, 2.1) == Approx(std::log10(3.6e16)).margin(1));
 
-    const auto swings = [](double x) {   // does the velocity ever turn round?
+    const auto swings = [](double x) {  // does the velocity ever turn round?
         const Drag drag{{1, {0, 0, 0}, {1, 0, 0}}, x};
         StaleEuler method;
         PointMass s = drag.start;
@@ -226,7 +247,8 @@ TEST_CASE("E59, table 3.8: drag from the last step's velocity is stable to 1 onl
     CHECK_FALSE(swings(0.25 * 0.99));
     CHECK(swings(0.25 * 1.01));
     CHECK(lab::stability_limit([&](double x) { return !swings(x); }, 0.1, 1.0) == Approx(0.25).epsilon(0.01));
-    CHECK(lab::stability_limit([&](double x) { return largest(StaleEuler{}, x) <= 0; }, 0.5, 1.5) == Approx(1).epsilon(0.01));
+    CHECK(lab::stability_limit([&](double x) { return largest(StaleEuler{}, x) <= 0; }, 0.5, 1.5) ==
+          Approx(1).epsilon(0.01));
 }
 
 TEST_CASE("step control: the error follows the tolerance, and trouble is said, not looped over") {
@@ -243,16 +265,20 @@ TEST_CASE("step control: the error follows the tolerance, and trouble is said, n
         last = error;
     }
     struct Breaks {
-        FlatPoint operator()(const FlatPoint& y, double t) const { return FlatPoint::Constant(t > 0.5 ? NAN : 1) + 0 * y; }
+        FlatPoint operator()(const FlatPoint& y, double t) const {
+            return FlatPoint::Constant(t > 0.5 ? NAN : 1) + 0 * y;
+        }
     };
-    CHECK_THROWS_WITH(adaptive(FlatPoint(FlatPoint::Zero()), Breaks{}, 0, 1, {}, 0.1, [](const FlatPoint&, double) {}),
-                      ContainsSubstring("shrank to nothing"));
-    struct NoRoot {   // z = y + dt (z^2 + 1) has no solution for dt = 1
+    CHECK_THROWS_WITH(
+        adaptive(FlatPoint(FlatPoint::Zero()), Breaks{}, 0, 1, {}, 0.1, [](const FlatPoint&, double) {}),
+        ContainsSubstring("shrank to nothing"));
+    struct NoRoot {  // z = y + dt (z^2 + 1) has no solution for dt = 1
         Eigen::Matrix<double, 1, 1> operator()(const Eigen::Matrix<double, 1, 1>& y, double) const {
             return Eigen::Matrix<double, 1, 1>(y[0] * y[0] + 1);
         }
     };
-    CHECK_THROWS_WITH(implicit_euler(Eigen::Matrix<double, 1, 1>(0.3), NoRoot{}, 0, 1.0), ContainsSubstring("smaller dt"));
+    CHECK_THROWS_WITH(implicit_euler(Eigen::Matrix<double, 1, 1>(0.3), NoRoot{}, 0, 1.0),
+                      ContainsSubstring("smaller dt"));
 }
 
 TEST_CASE("general-purpose methods take flows of any size, also one not known beforehand") {
@@ -260,5 +286,7 @@ TEST_CASE("general-purpose methods take flows of any size, also one not known be
     const Vector start = Vector::LinSpaced(5, 1, 5);
     CHECK((rk4(start, flow, 0, 0.1) - std::exp(-0.1) * start).norm() < 1e-6);
     CHECK((implicit_midpoint(start, flow, 0, 0.1) - 0.95 / 1.05 * start).norm() < 1e-12);
-    CHECK((adaptive(start, flow, 0, 1, {1e-10, 1e-10}, 0.1, [](const Vector&, double) {}) - std::exp(-1) * start).norm() < 1e-8);
+    CHECK((adaptive(start, flow, 0, 1, {1e-10, 1e-10}, 0.1, [](const Vector&, double) {}) -
+           std::exp(-1) * start)
+              .norm() < 1e-8);
 }

@@ -1,4 +1,5 @@
-// Chapter 3: what each method does to an undamped spring in one step, exactly. A wrong coefficient or a stale force fails here.
+// Chapter 3: what each method does to an undamped spring in one step, exactly. A wrong coefficient or a stale
+// force fails here.
 #include <nutshell/forces_methods.hpp>
 #include <nutshell/forces_scenes.hpp>
 #include <nutshell/stability_limits.hpp>
@@ -55,7 +56,8 @@ TEST_CASE("the table's factors of the squared amplitude, to round-off") {
         CHECK(flow_growth(dormand_prince_method, theta) ==
               Approx(std::norm(Amplification::dormand_prince(Complex(0, theta)))).epsilon(1e-13));
     }
-    for (const double theta : {0.01, 0.1, 1.0, 10.0, 100.0, 1e4}) {   // far beyond where repetition would diverge (1)
+    for (const double theta :
+         {0.01, 0.1, 1.0, 10.0, 100.0, 1e4}) {  // far beyond where repetition would diverge (1)
         INFO("omega dt = " << theta);
         CHECK(flow_growth(implicit_euler_method, theta) == Approx(1 / (1 + theta * theta)).epsilon(1e-12));
         CHECK(flow_growth(implicit_midpoint_method, theta) == Approx(1).epsilon(1e-12));
@@ -100,7 +102,8 @@ TEST_CASE("compositions keep the energy in a band, and step back what they step"
     CHECK(std::abs(sum - 1) < 1e-15);
     CHECK(std::abs(cubes) < 1e-14);
     double p1 = 0, p3 = 0, p5 = 0, p7 = 0;
-    for (const double w : kahan_li_weights()) p1 += w, p3 += std::pow(w, 3), p5 += std::pow(w, 5), p7 += std::pow(w, 7);
+    for (const double w : kahan_li_weights())
+        p1 += w, p3 += std::pow(w, 3), p5 += std::pow(w, 5), p7 += std::pow(w, 7);
     CHECK(std::abs(p1 - 1) < 1e-15);
     CHECK(std::abs(p3) < 1e-14);
     CHECK(std::abs(p5) < 1e-14);
@@ -109,7 +112,8 @@ TEST_CASE("compositions keep the energy in a band, and step back what they step"
 
 TEST_CASE("first same as last: the numbers of Verlet, for one evaluation") {
     const MassOnSpring scene;
-    const auto two = lab::measure(scene, verlet_method, 100), one = lab::measure(scene, VerletFsal<Vector3>{}, 100);
+    const auto two = lab::measure(scene, verlet_method, 100),
+               one = lab::measure(scene, VerletFsal<Vector3>{}, 100);
     CHECK(two.max_error == one.max_error);
     CHECK(two.evaluations == 200);
     CHECK(one.evaluations == 101);
@@ -123,7 +127,7 @@ TEST_CASE("first same as last: the numbers of Verlet, for one evaluation") {
 
 TEST_CASE("Euler's energy overflows after about 1135 periods at omega dt = 0.1, its state after about 2270") {
     MassOnSpring scene;
-    scene.stiffness = 1;   // omega = 1
+    scene.stiffness = 1;  // omega = 1
     PointMass s = scene.start;
     const double dt = 0.1;
     long energy_gone = 0, state_gone = 0;
@@ -137,21 +141,28 @@ TEST_CASE("Euler's energy overflows after about 1135 periods at omega dt = 0.1, 
     CHECK(static_cast<double>(state_gone) * periods == Approx(2270).epsilon(0.002));
 }
 
-TEST_CASE("E04, table 3.1: Euler's spring gains (omega dt)^2 of its energy a step, semi-implicit stays in its band") {
-    struct Row { double omega, dt, factor, after_10_s, low, high; };
-    for (const Row& row : {Row{1, 0.008, 1.000064, 1.083, 0.996, 1.004}, Row{1, 1. / 60, 1.0002777778, 1.181, 0.992, 1.008},
-                           Row{10, 0.008, 1.0064, 2906, 0.962, 1.042}, Row{10, 1. / 60, 1.0277777778, 1.38e7, 0.923, 1.091},
-                           Row{30, 0.008, 1.0576, 2.5e30, 0.893, 1.136}, Row{30, 1. / 60, 1.25, 1.4e58, 0.800, 1.333}}) {
+TEST_CASE(
+    "E04, table 3.1: Euler's spring gains (omega dt)^2 of its energy a step, semi-implicit stays in its "
+    "band") {
+    struct Row {
+        double omega, dt, factor, after_10_s, low, high;
+    };
+    for (const Row& row :
+         {Row{1, 0.008, 1.000064, 1.083, 0.996, 1.004}, Row{1, 1. / 60, 1.0002777778, 1.181, 0.992, 1.008},
+          Row{10, 0.008, 1.0064, 2906, 0.962, 1.042}, Row{10, 1. / 60, 1.0277777778, 1.38e7, 0.923, 1.091},
+          Row{30, 0.008, 1.0576, 2.5e30, 0.893, 1.136}, Row{30, 1. / 60, 1.25, 1.4e58, 0.800, 1.333}}) {
         INFO("omega " << row.omega << ", dt " << row.dt);
         MassOnSpring scene;
         scene.stiffness = row.omega * row.omega;
         const double start_energy = scene.energy(scene.start);
-        CHECK(scene.energy(euler(scene.start, scene, 0, row.dt)) / start_energy == Approx(row.factor).epsilon(1e-9));
+        CHECK(scene.energy(euler(scene.start, scene, 0, row.dt)) / start_energy ==
+              Approx(row.factor).epsilon(1e-9));
         PointMass s = scene.start, t = scene.start;
         double low = 1, high = 1;
         for (long n = 0; n < std::lround(10 / row.dt); ++n) {
             s = euler(s, scene, 0, row.dt), t = semi_implicit_euler(t, scene, 0, row.dt);
-            low = std::min(low, scene.energy(t) / start_energy), high = std::max(high, scene.energy(t) / start_energy);
+            low = std::min(low, scene.energy(t) / start_energy),
+            high = std::max(high, scene.energy(t) / start_energy);
         }
         CHECK(scene.energy(s) / start_energy == Approx(row.after_10_s).epsilon(0.02));
         CHECK(low == Approx(row.low).epsilon(0.002));

@@ -28,7 +28,7 @@ TEST_CASE("orders on the damped spring: drag inside the kick costs Verlet and Yo
         INFO("damping ratio " << ratio);
         const MassOnSpring spring = MassOnSpring::with_damping(ratio);
         const Flow flow(spring);
-        const long k = ratio > 1 ? 6 : 2;   // the fast part of the overdamped spring asks for small steps
+        const long k = ratio > 1 ? 6 : 2;  // the fast part of the overdamped spring asks for small steps
         CHECK_THAT(errors(spring, euler_method, {20000, 40000, 80000}), HasOrder(1));
         CHECK_THAT(errors(spring, semi_implicit_euler_method, {10000, 20000, 40000}), HasOrder(1));
         CHECK_THAT(errors(spring, semi_implicit_exponential_method, {20000, 40000, 80000}), HasOrder(1));
@@ -60,9 +60,11 @@ TEST_CASE("orders of falling with linear drag") {
     CHECK_THAT(errors(flow, dormand_prince_method, {80, 120, 160}), HasOrder(5, 0.1));
     CHECK_THAT(errors(flow, implicit_euler_method, {1000, 2000, 4000}), HasOrder(1));
     CHECK_THAT(errors(flow, implicit_midpoint_method, {200, 400, 800}), HasOrder(2));
-    // Scaling the velocity alone, with Euler's drift, is first order under gravity; the exponential kick is exact.
+    // Scaling the velocity alone, with Euler's drift, is first order under gravity; the exponential kick is
+    // exact.
     CHECK_THAT(errors(falling, semi_implicit_exponential_method, {1000, 2000, 4000}), HasOrder(1));
-    for (const long steps : {1, 7, 500}) CHECK(lab::measure(falling, exponential_kick_method, steps).max_error < 1e-12);
+    for (const long steps : {1, 7, 500})
+        CHECK(lab::measure(falling, exponential_kick_method, steps).max_error < 1e-12);
 }
 
 TEST_CASE("orders of falling in air, where the drag is not linear") {
@@ -87,13 +89,13 @@ TEST_CASE("orders on the planet") {
 
 namespace {
 
-/// A spring whose other end is shaken: 1 kg, x'' = -omega^2 x - g x' + cos(3 t). A step that asks for the force at a wrong
-/// time loses its order here, and nowhere else.
+/// A spring whose other end is shaken: 1 kg, x'' = -omega^2 x - g x' + cos(3 t). A step that asks for the
+/// force at a wrong time loses its order here, and nowhere else.
 struct ShakenSpring {
-    double drag, omega = 2;   // [kg/s], [rad/s]
+    double drag, omega = 2;  // [kg/s], [rad/s]
     std::string name = "shaken_spring";
     PointMass start{1, {1, 0, 0}, {0.7, 0, 0}};
-    double duration = 4;   // [s]
+    double duration = 4;  // [s]
 
     Vector3 operator()(const PointMass& s, double t) const {
         return -omega * omega * s.position - drag * s.velocity + Vector3(std::cos(3 * t), 0, 0);
@@ -155,19 +157,22 @@ Convergence logarithmic(const Method& method, const std::vector<int>& steps_an_o
 TEST_CASE("the logarithmic leapfrog: orders 2, 4 and 8, always on the exact ellipse") {
     const Planet planet;
     const LogHamiltonian leapfrog(planet.gm, planet.start);
-    // A third of an orbit: at whole orbits the error of the time is all there is, and its order looks the same.
+    // A third of an orbit: at whole orbits the error of the time is all there is, and its order looks the
+    // same.
     CHECK_THAT(logarithmic(leapfrog, {128, 256, 512}, 1. / 3), HasOrder(2));
-    CHECK_THAT(logarithmic(Composed<LogHamiltonian, 3>{leapfrog, yoshida_weights()}, {64, 128, 256}, 1. / 3), HasOrder(4));
-    CHECK_THAT(logarithmic(Composed<LogHamiltonian, 15>{leapfrog, kahan_li_weights()}, {16, 20, 24}, 1. / 3), HasOrder(8, 0.3));
+    CHECK_THAT(logarithmic(Composed<LogHamiltonian, 3>{leapfrog, yoshida_weights()}, {64, 128, 256}, 1. / 3),
+               HasOrder(4));
+    CHECK_THAT(logarithmic(Composed<LogHamiltonian, 15>{leapfrog, kahan_li_weights()}, {16, 20, 24}, 1. / 3),
+               HasOrder(8, 0.3));
 
     TimedPlanet state{planet.start};
     const double h = angular_momentum(planet.start).norm();
     for (int n = 0; n < 2000; ++n) {
-        state = leapfrog(state, 0, 0.0, 2 * pi / 20);   // twenty steps an orbit
+        state = leapfrog(state, 0, 0.0, 2 * pi / 20);  // twenty steps an orbit
         const double r = state.body.position.norm(), x = state.body.position.x();
         CHECK(std::abs(planet.energy(state.body) + 0.5) < 1e-12);
         CHECK(std::abs(angular_momentum(state.body).norm() - h) < 1e-12);
-        CHECK(std::abs(r - (h * h - 0.6 * x)) < 1e-12);   // the ellipse: r = p - e x
+        CHECK(std::abs(r - (h * h - 0.6 * x)) < 1e-12);  // the ellipse: r = p - e x
     }
     CHECK_THROWS_WITH(LogHamiltonian(1, PointMass{1, {1, 0, 0}, {0, 2, 0}}), ContainsSubstring("ellipse"));
 }

@@ -68,7 +68,9 @@ TEST_CASE("The count counts") {
     CHECK(allocations - before == 7);  // mass, three of position, three of velocity
 }
 
-TEST_CASE("A step of many particles allocates nothing, with any method of chapter 1, with exponential drag and in one pass") {
+TEST_CASE(
+    "A step of many particles allocates nothing, with any method of chapter 1, with exponential drag and in "
+    "one pass") {
     check_methods(anchored_particles(1000));
     check_methods(chain(500, 0.1, {100, 0.1}, {0, 0, 0}, {50, 0, 0}));
     SpringNet net = cloth(20, 1, 1, 50, Weave::with_shear_and_bend);

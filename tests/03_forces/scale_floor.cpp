@@ -1,6 +1,6 @@
 // The bar: a particle-step in one pass takes at most 2 times the machine's floor for anchored springs, 2.5
-// times for a chain, from ten particles to a million. Others use this machine too, so each is tried a few times
-// and the best is taken.
+// times for a chain, from ten particles to a million. Others use this machine too, so each is tried a few
+// times and the best is taken.
 #include "check.hpp"
 #include "step_times.hpp"
 

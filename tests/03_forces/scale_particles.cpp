@@ -37,7 +37,8 @@ double farthest_from_alone(AnchoredParticles scene, const Method& method, const 
 
 }  // namespace
 
-TEST_CASE("Many particles at once move as each moves alone, to round-off, with every method of drift and kick") {
+TEST_CASE(
+    "Many particles at once move as each moves alone, to round-off, with every method of drift and kick") {
     const AnchoredParticles scene = anchored_particles(37);  // not a multiple of any vector's width
     const auto check = [&](const auto& method, const auto& single) {
         CHECK(farthest_from_alone(scene, method, single, 400) < 1e-13);

@@ -80,8 +80,8 @@ Weakest weakest_of(const std::vector<double>& frequencies, double g, const OnSpr
     return first;
 }
 
-/// The frequencies [rad/s] of all modes in the plane of the net: the roots of the eigenvalues of stiffness over
-/// mass, here by pulling every particle along x and y in turn.
+/// The frequencies [rad/s] of all modes in the plane of the net: the roots of the eigenvalues of stiffness
+/// over mass, here by pulling every particle along x and y in turn.
 std::vector<double> frequencies_of(const SpringNet& net) {
     const std::size_t n = net.start.size();
     const std::vector<Joint> joints = list_of(net.springs).joints;
@@ -92,8 +92,10 @@ std::vector<double> frequencies_of(const SpringNet& net) {
                                                        Vector3::Unit(axis));
             for (Eigen::Index other = 0; other < 2; ++other) {
                 const auto i = 2 * Eigen::Index(a), j = 2 * Eigen::Index(b);
-                stiffness(i + other, i + axis) -= change[other], stiffness(j + other, j + axis) -= change[other];
-                stiffness(i + other, j + axis) += change[other], stiffness(j + other, i + axis) += change[other];
+                stiffness(i + other, i + axis) -= change[other],
+                    stiffness(j + other, j + axis) -= change[other];
+                stiffness(i + other, j + axis) += change[other],
+                    stiffness(j + other, i + axis) += change[other];
             }
         }
     std::vector<double> frequencies;
@@ -105,28 +107,28 @@ std::vector<double> frequencies_of(const SpringNet& net) {
 /// A net with drag is as many damped springs as it has modes: a method breaks where the first of them does.
 void check_every_method(const SpringNet& net, const std::vector<double>& frequencies) {
     const double fastest = frequencies.back(), g = net.drag / net.start.mass[0];
-    each_method<ForceArrays, Vector>([&](const std::string& name, const auto& method, auto as,
-                                         const OnSpring& theory) {
-        const Weakest first = weakest_of(frequencies, g, theory);
-        INFO(name << " on a " << net.name << ", g " << g << ", fastest " << fastest << " rad/s, breaks at "
-                  << first.omega << " rad/s with dt " << first.limit);
-        const auto stays = [&](double dt, long steps) {
-            return lab::stays_within(as(net), method, dt, steps, 1e-6,
-                                     [](const auto& state) { return fastest_speed(state); });
-        };
-        if (first.limit == 0) {
-            CHECK_FALSE(stays(1 / fastest, 2000));
-        } else if (!std::isfinite(first.limit)) {
-            CHECK(stays(100 / fastest, 20));
-        } else if (const long steps = theory.steps_to_grow(1e9, first.omega, g); steps < 200'000) {
-            CHECK(stays(0.99 * first.limit, steps));
-            CHECK_FALSE(stays(1.01 * first.limit, steps));
-            CHECK(lab::stability_limit([&](double dt) { return stays(dt, steps); }, 0.9 * first.limit,
-                                       1.1 * first.limit, 2e-3) == Approx(first.limit).epsilon(0.01));
-        } else {
-            CHECK(name == "Dormand-Prince 5(4)");  // has a test of its own, below
-        }
-    });
+    each_method<ForceArrays, Vector>(
+        [&](const std::string& name, const auto& method, auto as, const OnSpring& theory) {
+            const Weakest first = weakest_of(frequencies, g, theory);
+            INFO(name << " on a " << net.name << ", g " << g << ", fastest " << fastest
+                      << " rad/s, breaks at " << first.omega << " rad/s with dt " << first.limit);
+            const auto stays = [&](double dt, long steps) {
+                return lab::stays_within(as(net), method, dt, steps, 1e-6,
+                                         [](const auto& state) { return fastest_speed(state); });
+            };
+            if (first.limit == 0) {
+                CHECK_FALSE(stays(1 / fastest, 2000));
+            } else if (!std::isfinite(first.limit)) {
+                CHECK(stays(100 / fastest, 20));
+            } else if (const long steps = theory.steps_to_grow(1e9, first.omega, g); steps < 200'000) {
+                CHECK(stays(0.99 * first.limit, steps));
+                CHECK_FALSE(stays(1.01 * first.limit, steps));
+                CHECK(lab::stability_limit([&](double dt) { return stays(dt, steps); }, 0.9 * first.limit,
+                                           1.1 * first.limit, 2e-3) == Approx(first.limit).epsilon(0.01));
+            } else {
+                CHECK(name == "Dormand-Prince 5(4)");  // has a test of its own, below
+            }
+        });
 }
 
 }  // namespace
@@ -152,13 +154,12 @@ TEST_CASE("Cloth: every method, without and with drag, breaks where the first of
     check_every_method(net, frequencies);
 }
 
-TEST_CASE("Chain: Dormand-Prince leaves stability so gently that the energy of the fastest mode has to tell") {
+TEST_CASE(
+    "Chain: Dormand-Prince leaves stability so gently that the energy of the fastest mode has to tell") {
     const SpringNet net = in_fastest_mode(chain(6, 0.2, {50, 0.1}, {0, 0, 0}, {0.7, 0, 0}));
     const double theta = general_limit(Amplification::dormand_prince, 1, 0),
                  limit = theta / chain_frequency(6, 0.2, 50);
-    const auto stable = [&](double dt) {
-        return energy_factor(net, DormandPrince<Vector>{}, dt, 2000) < 1;
-    };
+    const auto stable = [&](double dt) { return energy_factor(net, DormandPrince<Vector>{}, dt, 2000) < 1; };
     CHECK(stable(0.99 * limit));
     CHECK_FALSE(stable(1.01 * limit));
     CHECK(lab::stability_limit(stable, 0.95 * limit, 1.05 * limit, 1e-3) == Approx(limit).epsilon(0.01));

@@ -359,10 +359,12 @@ TEST_CASE("long text is broken between words, evenly, and inside a word only whe
     using Lines = std::vector<std::string>;
     CHECK(parts::wrapped("one two three", 16, 1000) == Lines{"one two three"});
     CHECK(parts::wrapped("", 16, 100).empty());
-    CHECK(parts::balanced("semi-implicit Euler (at the end)", 16, 192) == Lines{"semi-implicit", "Euler (at the end)"});
+    CHECK(parts::balanced("semi-implicit Euler (at the end)", 16, 192) ==
+          Lines{"semi-implicit", "Euler (at the end)"});
     CHECK(parts::balanced("semi-implicit Euler", 16, 120) == Lines{"semi-implicit", "Euler"});
     std::string joined;
-    for (const std::string& line : parts::balanced("\u03bb\u03bb\u03bb\u03bb\u03bb\u03bbwithoutanyspace", 16, 50)) {
+    for (const std::string& line :
+         parts::balanced("\u03bb\u03bb\u03bb\u03bb\u03bb\u03bbwithoutanyspace", 16, 50)) {
         CHECK(parts::text_width(line, 16) <= 50);
         CHECK((static_cast<unsigned char>(line[0]) & 0xC0) != 0x80);  // no character is cut
         joined += line;

@@ -17,7 +17,8 @@ TEST_CASE("Kepler's equation is solved to round-off") {
 TEST_CASE("the exact orbit obeys Newton's law, by differences and by its conserved quantities") {
     const double gm = 1.7, a = 1.3, e = 0.6, h = 1e-4;
     for (double t : {0.0, 0.3, 1.0, 4.0, 20.0}) {
-        const auto before = kepler_orbit(t - h, gm, a, e), here = kepler_orbit(t, gm, a, e), after = kepler_orbit(t + h, gm, a, e);
+        const auto before = kepler_orbit(t - h, gm, a, e), here = kepler_orbit(t, gm, a, e),
+                   after = kepler_orbit(t + h, gm, a, e);
         const Vector3 speed = (after.position - before.position) / (2 * h);
         const Vector3 acceleration = (after.velocity - before.velocity) / (2 * h);
         const double r = here.position.norm();
@@ -25,8 +26,9 @@ TEST_CASE("the exact orbit obeys Newton's law, by differences and by its conserv
         CHECK((speed - here.velocity).norm() < 60 * h * h);
         CHECK((acceleration + gm / (r * r * r) * here.position).norm() < 300 * h * h);
         CHECK(here.velocity.squaredNorm() / 2 - gm / r == Approx(-gm / (2 * a)).epsilon(1e-13));
-        CHECK(here.position.cross(here.velocity).z() == Approx(std::sqrt(gm * a * (1 - e * e))).epsilon(1e-13));
+        CHECK(here.position.cross(here.velocity).z() ==
+              Approx(std::sqrt(gm * a * (1 - e * e))).epsilon(1e-13));
     }
     CHECK(kepler_orbit(0, gm, a, e).position.isApprox(Vector3(a * (1 - e), 0, 0)));
-    CHECK(kepler_orbit(0.1, gm, a, e).position.y() > 0);   // counter-clockwise
+    CHECK(kepler_orbit(0.1, gm, a, e).position.y() > 0);  // counter-clockwise
 }

@@ -1,10 +1,10 @@
 // The lab is tested on things whose answers are known without it.
+#include <unistd.h>
+#include <fstream>
 #include <nutshell/lab/output.hpp>
 #include <nutshell/lab/study.hpp>
 #include <nutshell/newton.hpp>
 #include <nutshell/newton_scenes.hpp>
-#include <unistd.h>
-#include <fstream>
 #include "check.hpp"
 
 using namespace nutshell;
@@ -24,7 +24,8 @@ const auto euler_step = [](PointMass s, const auto& f, double t, double dt) { re
 const auto verlet_step = [](PointMass s, const auto& f, double t, double dt) { return verlet(s, f, t, dt); };
 
 std::filesystem::path fresh_folder() {
-    const auto folder = std::filesystem::temp_directory_path() / ("nutshell_lab_test_" + std::to_string(getpid()));
+    const auto folder =
+        std::filesystem::temp_directory_path() / ("nutshell_lab_test_" + std::to_string(getpid()));
     std::filesystem::remove_all(folder);
     return folder;
 }
@@ -62,9 +63,11 @@ TEST_CASE("the observed order of exact powers is their exponent") {
 
 TEST_CASE("Verlet's stability limit on a spring is found at omega dt = 2") {
     const auto stable = [](double dt) {
-        return lab::stays_within(TestSpring{}, verlet_step, dt, 20000, 1e6, [](const PointMass& s) { return s.position.norm(); });
+        return lab::stays_within(TestSpring{}, verlet_step, dt, 20000, 1e6,
+                                 [](const PointMass& s) { return s.position.norm(); });
     };
-    CHECK(lab::stability_limit(stable, 0.5, 4, 1e-5) == Approx(2).epsilon(1e-4));   // growth at 2 + d: e^(2 sqrt d) a step
+    CHECK(lab::stability_limit(stable, 0.5, 4, 1e-5) ==
+          Approx(2).epsilon(1e-4));  // growth at 2 + d: e^(2 sqrt d) a step
     CHECK_THROWS_WITH(lab::stability_limit(stable, 3, 4), ContainsSubstring("begin lower"));
     CHECK_THROWS_WITH(lab::stability_limit(stable, 0.5, 1), ContainsSubstring("begin higher"));
 }
@@ -72,8 +75,11 @@ TEST_CASE("Verlet's stability limit on a spring is found at omega dt = 2") {
 TEST_CASE("conservation is measured for numbers and for vectors") {
     // Euler multiplies the energy of a spring by 1 + dt^2 in every step: curriculum, chapter 3's table.
     TestSpring spring;
-    const auto energy = [](const PointMass& s) { return s.velocity.squaredNorm() + s.position.squaredNorm(); };
-    CHECK(lab::largest_change(spring, euler_step, 100, energy) == Approx(std::pow(1 + 1e-4, 100) - 1).epsilon(1e-11));
+    const auto energy = [](const PointMass& s) {
+        return s.velocity.squaredNorm() + s.position.squaredNorm();
+    };
+    CHECK(lab::largest_change(spring, euler_step, 100, energy) ==
+          Approx(std::pow(1 + 1e-4, 100) - 1).epsilon(1e-11));
     // A vector that only turns keeps its length; the lab must see the turn.
     const auto phase = [](const PointMass& s) { return Vector3(s.position.x(), s.velocity.x(), 0); };
     CHECK(lab::largest_change(spring, verlet_step, 100, phase) == Approx(2 * std::sin(0.5)).epsilon(1e-4));
@@ -113,7 +119,7 @@ TEST_CASE("a file is written whole, with provenance on top, or not at all") {
     CHECK_THAT(text, ContainsSubstring("a,b\n1,\"say \"\"two\"\", three\"\n"));
     long files = 0;
     for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator(folder)) ++files;
-    CHECK(files == 1);   // no temporary file left
+    CHECK(files == 1);  // no temporary file left
     CHECK_THROWS_WITH(lab::write_file("/proc/nutshell/x.csv", "x"), ContainsSubstring("/proc/nutshell"));
     std::filesystem::create_directories(folder / "is_a_folder" / "x");
     CHECK_THROWS_WITH(lab::write_file(folder / "is_a_folder", "x"), ContainsSubstring("is_a_folder"));

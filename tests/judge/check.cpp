@@ -100,7 +100,8 @@ Verdict judge(const Chapter& chapter, const Sheets& sheets, const Sheet& sheet, 
         if (contains(*answer.threw, "bad_alloc") || contains(*answer.threw, "length_error") ||
             contains(*answer.threw, "_M_")) {
             verdict.name = "too much memory";
-            say("It asks for more memory than there is for it (256 MB): does something grow in a loop without "
+            say("It asks for more memory than there is for it (256 MB): does something grow in a loop "
+                "without "
                 "end? (" +
                 *answer.threw + ")");
         } else {

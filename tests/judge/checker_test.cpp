@@ -114,7 +114,8 @@ TEST_CASE("What is no known mistake is told by its signature") {
 }
 
 TEST_CASE(
-    "A slip that only some forces show is not called a right method, and a wrong sum is looked at where it is "
+    "A slip that only some forces show is not called a right method, and a wrong sum is looked at where it "
+    "is "
     "first wrong") {
     const Learner learner("more signatures");
     learner.answer({1, 5},

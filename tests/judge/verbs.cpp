@@ -20,7 +20,7 @@ namespace {
 
 std::string title_of(const Chapter& chapter) {
     std::string name = chapter.folder.substr(chapter.folder.find('_') + 1);
-    bool begins = true;   // a word
+    bool begins = true;  // a word
     for (char& c : name) {
         if (begins) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
         begins = c == '_';

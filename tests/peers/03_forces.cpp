@@ -1,27 +1,28 @@
-// Chapter 3's scenes S2, S2d, S3 and S5 in Boost.odeint and in our methods: error against processor time, one run, the same
-// compiler and flags. Both sides get the least state a scene needs (two numbers, four for the planet).
+// Chapter 3's scenes S2, S2d, S3 and S5 in Boost.odeint and in our methods: error against processor time, one
+// run, the same compiler and flags. Both sides get the least state a scene needs (two numbers, four for the
+// planet).
 //   peers_03_forces [--check] [--out DIR]    --check: fail where a point of odeint's is ahead of all of ours
+#include <boost/numeric/odeint.hpp>
+#include <boost/numeric/odeint/stepper/symplectic_rkn_sb3a_m4_mclachlan.hpp>
+#include <cstring>
+#include <iostream>
 #include <nutshell/forces_methods.hpp>
 #include <nutshell/forces_scenes.hpp>
 #include <nutshell/lab/chart.hpp>
 #include <nutshell/lab/output.hpp>
 #include <nutshell/lab/run.hpp>
 #include <nutshell/log_hamiltonian.hpp>
-#include <boost/numeric/odeint.hpp>
-#include <boost/numeric/odeint/stepper/symplectic_rkn_sb3a_m4_mclachlan.hpp>
-#include <cstring>
-#include <iostream>
 
 namespace ode = boost::numeric::odeint;
 using namespace nutshell;
 
 namespace {
 
-constexpr double margin = 1.5;   // a ratio of times that noise may make
+constexpr double margin = 1.5;  // a ratio of times that noise may make
 
 struct Point {
     std::string method, how;
-    double seconds, error;   // of the whole run
+    double seconds, error;  // of the whole run
 };
 
 /// A scene as both sides see it: y' = rate(y), y of N numbers, error(y, t) in metres.
@@ -29,36 +30,54 @@ template <std::size_t N>
 struct Problem {
     std::string id, name, unit;
     std::array<double, N> start;
-    double duration, worst;   // runs that are off by more are not compared
-    double round_off;         // errors below this are chance on both sides: they count as equal
+    double duration, worst;  // runs that are off by more are not compared
+    double round_off;        // errors below this are chance on both sides: they count as equal
     bool final_error_only;
 };
 
 struct Spring2 : Problem<2> {
     MassOnSpring scene;
     explicit Spring2(double ratio)
-        : Problem<2>{ratio == 0 ? "S2" : "S2d", ratio == 0 ? "mass on a spring, 10 s" : "damped spring, 10 s", "m", {1, 0}, 10, 0.1, 1e-12, false},
+        : Problem<2>{ratio == 0 ? "S2" : "S2d",
+                     ratio == 0 ? "mass on a spring, 10 s" : "damped spring, 10 s",
+                     "m",
+                     {1, 0},
+                     10,
+                     0.1,
+                     1e-12,
+                     false},
           scene(MassOnSpring::with_damping(ratio)) {}
     template <class Y>
-    void rate(const Y& y, Y& dy) const { dy[0] = y[1], dy[1] = -scene.stiffness * y[0] - scene.drag * y[1]; }
+    void rate(const Y& y, Y& dy) const {
+        dy[0] = y[1], dy[1] = -scene.stiffness * y[0] - scene.drag * y[1];
+    }
     template <class Q>
-    void force(const Q& q, Q& f) const { f[0] = -scene.stiffness * q[0]; }
+    void force(const Q& q, Q& f) const {
+        f[0] = -scene.stiffness * q[0];
+    }
     template <class Y>
-    double error(const Y& y, double t) const { return std::abs(y[0] - scene.exact(t).position.x()); }
+    double error(const Y& y, double t) const {
+        return std::abs(y[0] - scene.exact(t).position.x());
+    }
 };
 
 struct Fall2 : Problem<2> {
     FallingWithDrag scene;
     Fall2() : Problem<2>{"S3", "falling with linear drag, 5 s", "m", {0, 0}, 5, 5, 1e-12, false} {}
     template <class Y>
-    void rate(const Y& y, Y& dy) const { dy[0] = y[1], dy[1] = -earth_gravity - scene.drag * y[1]; }
+    void rate(const Y& y, Y& dy) const {
+        dy[0] = y[1], dy[1] = -earth_gravity - scene.drag * y[1];
+    }
     template <class Y>
-    double error(const Y& y, double t) const { return std::abs(y[0] - scene.exact(t).position.y()); }
+    double error(const Y& y, double t) const {
+        return std::abs(y[0] - scene.exact(t).position.y());
+    }
 };
 
 struct Planet4 : Problem<4> {
     Planet scene = Planet::for_orbits(100);
-    Planet4() : Problem<4>{"S5", "planet, e = 0.6, 100 orbits", "a", {0.4, 0, 0, 2}, 200 * pi, 0.1, 5e-10, true} {}
+    Planet4()
+        : Problem<4>{"S5", "planet, e = 0.6, 100 orbits", "a", {0.4, 0, 0, 2}, 200 * pi, 0.1, 5e-10, true} {}
     template <class Y>
     void rate(const Y& y, Y& dy) const {
         const double r2 = y[0] * y[0] + y[1] * y[1], k = -1 / (r2 * std::sqrt(r2));
@@ -82,12 +101,15 @@ struct Errors {
     const Scene& scene;
     double largest = 0, last = 0;
     template <class Y>
-    void look(const Y& y, double t) { last = scene.error(y, t), largest = std::max(largest, last); }
+    void look(const Y& y, double t) {
+        last = scene.error(y, t), largest = std::max(largest, last);
+    }
     double result() const { return scene.final_error_only ? last : largest; }
 };
 
-/// A whole run with every call in it inlined, theirs and ours alike: what a program that runs this one method would do.
-/// Left to itself, g++ decides by the size of this file which inner step becomes a call, and a call costs a factor of two.
+/// A whole run with every call in it inlined, theirs and ours alike: what a program that runs this one method
+/// would do. Left to itself, g++ decides by the size of this file which inner step becomes a call, and a call
+/// costs a factor of two.
 template <class Work>
 [[gnu::noinline, gnu::flatten]] auto run_once(const Work& work) {
     return work([](const auto&, double) {});
@@ -97,12 +119,14 @@ template <class Work>
 template <class Scene, class Work>
 Point point(const Scene& scene, const std::string& method, const std::string& how, const Work& work) {
     Errors<Scene> errors{scene};
-    work([&](const auto& y, double t) { if (t > 0 && (!scene.final_error_only || t > 0.999 * scene.duration)) errors.look(y, t); });
+    work([&](const auto& y, double t) {
+        if (t > 0 && (!scene.final_error_only || t > 0.999 * scene.duration)) errors.look(y, t);
+    });
     const double seconds = lab::time_of([&] { lab::keep(run_once(work)); }, 5, 1e-3);
     return {method, how, seconds, errors.result()};
 }
 
-// --- odeint --------------------------------------------------------------------------------------------------------
+// --- odeint
 
 template <class Y, class System, class Stepper, class Look>
 Y odeint_steps(Y y, const System& system, Stepper stepper, long steps, double dt, const Look& look) {
@@ -114,34 +138,42 @@ Y odeint_steps(Y y, const System& system, Stepper stepper, long steps, double dt
 }
 
 template <class Scene, class Stepper>
-void odeint_fixed(std::vector<Point>& points, const Scene& scene, const std::string& name, Stepper, const std::vector<long>& steps) {
+void odeint_fixed(std::vector<Point>& points, const Scene& scene, const std::string& name, Stepper,
+                  const std::vector<long>& steps) {
     for (const long n : steps)
         points.push_back(point(scene, "odeint " + name, std::to_string(n) + " steps", [&](const auto& look) {
             const auto system = [&scene](const auto& at, auto& dy, double) { scene.rate(at, dy); };
-            return odeint_steps(scene.start, system, Stepper(), n, scene.duration / static_cast<double>(n), look);
+            return odeint_steps(scene.start, system, Stepper(), n, scene.duration / static_cast<double>(n),
+                                look);
         }));
 }
 
 template <class Stepper, class Scene>
-void odeint_controlled(std::vector<Point>& points, const Scene& scene, const std::string& name, const std::vector<double>& tolerances) {
+void odeint_controlled(std::vector<Point>& points, const Scene& scene, const std::string& name,
+                       const std::vector<double>& tolerances) {
     for (const double tolerance : tolerances)
-        points.push_back(point(scene, "odeint " + name + ", controlled", "tolerance " + lab::rounded(tolerance), [&](const auto& look) {
-            auto y = scene.start;
-            const auto system = [&](const auto& at, auto& dy, double) { scene.rate(at, dy); };
-            ode::integrate_adaptive(ode::make_controlled<Stepper>(tolerance, tolerance), system, y, 0.0, scene.duration, scene.duration / 1000,
-                                    [&](const auto& at, double t) { look(at, t); });
-            return y;
-        }));
+        points.push_back(
+            point(scene, "odeint " + name + ", controlled", "tolerance " + lab::rounded(tolerance),
+                  [&](const auto& look) {
+                      auto y = scene.start;
+                      const auto system = [&](const auto& at, auto& dy, double) { scene.rate(at, dy); };
+                      ode::integrate_adaptive(ode::make_controlled<Stepper>(tolerance, tolerance), system, y,
+                                              0.0, scene.duration, scene.duration / 1000,
+                                              [&](const auto& at, double t) { look(at, t); });
+                      return y;
+                  }));
 }
 
 template <std::size_t D, class Scene, class Stepper>
-void odeint_nystroem(std::vector<Point>& points, const Scene& scene, const std::string& name, Stepper, const std::vector<long>& steps) {
+void odeint_nystroem(std::vector<Point>& points, const Scene& scene, const std::string& name, Stepper,
+                     const std::vector<long>& steps) {
     using Half = std::array<double, D>;
     for (const long n : steps)
         points.push_back(point(scene, "odeint " + name, std::to_string(n) + " steps", [&](const auto& look) {
             Stepper stepper;
             std::pair<Half, Half> s;
-            std::copy_n(scene.start.begin(), D, s.first.begin()), std::copy_n(scene.start.begin() + D, D, s.second.begin());
+            std::copy_n(scene.start.begin(), D, s.first.begin()),
+                std::copy_n(scene.start.begin() + D, D, s.second.begin());
             const double dt = scene.duration / static_cast<double>(n);
             const auto system = [&](const Half& q, Half& f) { scene.force(q, f); };
             for (long i = 0; i < n; ++i) {
@@ -163,7 +195,7 @@ void odeint_all(std::vector<Point>& points, const Scene& scene, const std::vecto
     odeint_controlled<ode::runge_kutta_fehlberg78<Y>>(points, scene, "rkf78", tolerances);
 }
 
-// --- ours ----------------------------------------------------------------------------------------------------------
+// --- ours
 
 template <class Y, class Flow, class Method, class Look>
 Y run_steps(Y y, const Flow& flow, Method method, long steps, double dt, const Look& look) {
@@ -175,13 +207,19 @@ Y run_steps(Y y, const Flow& flow, Method method, long steps, double dt, const L
 }
 
 template <class Scene, class Method>
-void our_flow(std::vector<Point>& points, const Scene& scene, const std::string& name, const Method& method, const std::vector<long>& steps) {
+void our_flow(std::vector<Point>& points, const Scene& scene, const std::string& name, const Method& method,
+              const std::vector<long>& steps) {
     constexpr int N = static_cast<int>(std::tuple_size_v<decltype(scene.start)>);
     using Y = Eigen::Matrix<double, N, 1>;
     for (const long n : steps)
         points.push_back(point(scene, name, std::to_string(n) + " steps", [&](const auto& look) {
-            const auto flow = [&scene](const Y& at, double) { Y dy; scene.rate(at, dy); return dy; };
-            return run_steps(Y(Eigen::Map<const Y>(scene.start.data())), flow, method, n, scene.duration / static_cast<double>(n), look);
+            const auto flow = [&scene](const Y& at, double) {
+                Y dy;
+                scene.rate(at, dy);
+                return dy;
+            };
+            return run_steps(Y(Eigen::Map<const Y>(scene.start.data())), flow, method, n,
+                             scene.duration / static_cast<double>(n), look);
         }));
 }
 
@@ -189,57 +227,73 @@ template <class Scene>
 void our_controlled(std::vector<Point>& points, const Scene& scene) {
     constexpr int N = static_cast<int>(std::tuple_size_v<decltype(scene.start)>);
     using Y = Eigen::Matrix<double, N, 1>;
-    for (const double tolerance : {scene.final_error_only ? 1e-5 : 1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12})   // a coarse one loses the planet
-        points.push_back(point(scene, "Dormand-Prince 5(4), controlled", "tolerance " + lab::rounded(tolerance), [&](const auto& look) {
-            const auto flow = [&](const Y& at, double) { Y dy; scene.rate(at, dy); return dy; };
-            return adaptive(Y(Eigen::Map<const Y>(scene.start.data())), flow, 0, scene.duration, {tolerance, tolerance}, scene.duration / 1000, look);
-        }));
+    for (const double tolerance : {scene.final_error_only ? 1e-5 : 1e-2, 1e-4, 1e-6, 1e-8, 1e-10,
+                                   1e-12})  // a coarse one loses the planet
+        points.push_back(point(scene, "Dormand-Prince 5(4), controlled",
+                               "tolerance " + lab::rounded(tolerance), [&](const auto& look) {
+                                   const auto flow = [&](const Y& at, double) {
+                                       Y dy;
+                                       scene.rate(at, dy);
+                                       return dy;
+                                   };
+                                   return adaptive(Y(Eigen::Map<const Y>(scene.start.data())), flow, 0,
+                                                   scene.duration, {tolerance, tolerance},
+                                                   scene.duration / 1000, look);
+                               }));
 }
 
 void our_spring(std::vector<Point>& points, const Spring2& scene, const std::vector<long>& steps) {
     for (const long n : steps)
-        points.push_back(point(scene, "exact propagator", std::to_string(n) + " steps", [&](const auto& look) {
-            const double dt = scene.duration / static_cast<double>(n);
-            const Eigen::Matrix2d step = oscillation(scene.scene.omega(), scene.scene.damping_rate(), dt);
-            Eigen::Vector2d y(1, 0);
-            for (long i = 0; i < n; ++i) {
-                y = step * y;
-                look(y, static_cast<double>(i + 1) * dt);
-            }
-            return y;
-        }));
+        points.push_back(
+            point(scene, "exact propagator", std::to_string(n) + " steps", [&](const auto& look) {
+                const double dt = scene.duration / static_cast<double>(n);
+                const Eigen::Matrix2d step = oscillation(scene.scene.omega(), scene.scene.damping_rate(), dt);
+                Eigen::Vector2d y(1, 0);
+                for (long i = 0; i < n; ++i) {
+                    y = step * y;
+                    look(y, static_cast<double>(i + 1) * dt);
+                }
+                return y;
+            }));
 }
 
 void our_fall(std::vector<Point>& points, const Fall2& scene, const std::vector<long>& steps) {
     for (const long n : steps)
-        points.push_back(point(scene, "exponential kick", std::to_string(n) + " steps", [&](const auto& look) {
-            PointMass s = scene.scene.start;
-            const double dt = scene.duration / static_cast<double>(n);
-            for (long i = 0; i < n; ++i) {
-                s = exponential_kick(s, scene.scene, 0, dt);
-                look(std::array{s.position.y(), s.velocity.y()}, static_cast<double>(i + 1) * dt);
-            }
-            return s;
-        }));
+        points.push_back(
+            point(scene, "exponential kick", std::to_string(n) + " steps", [&](const auto& look) {
+                PointMass s = scene.scene.start;
+                const double dt = scene.duration / static_cast<double>(n);
+                for (long i = 0; i < n; ++i) {
+                    s = exponential_kick(s, scene.scene, 0, dt);
+                    look(std::array{s.position.y(), s.velocity.y()}, static_cast<double>(i + 1) * dt);
+                }
+                return s;
+            }));
 }
 
 template <class Method>
-void our_clock(std::vector<Point>& points, const Planet4& scene, const std::string& name, const Method& method, const std::vector<long>& steps_an_orbit) {
+void our_clock(std::vector<Point>& points, const Planet4& scene, const std::string& name,
+               const Method& method, const std::vector<long>& steps_an_orbit) {
     for (const long n : steps_an_orbit)
         points.push_back(point(scene, name, std::to_string(n) + " steps an orbit", [&](const auto& look) {
-            const TimedPlanet end = run_until({scene.scene.start}, method, scene.duration, 2 * pi / static_cast<double>(n));
+            const TimedPlanet end =
+                run_until({scene.scene.start}, method, scene.duration, 2 * pi / static_cast<double>(n));
             look(std::array{end.body.position.x(), end.body.position.y()}, scene.duration);
             return end;
         }));
 }
 
-// --- the comparison ------------------------------------------------------------------------------------------------
+// --- the comparison
 
-bool is_peer(const Point& p) { return p.method.rfind("odeint", 0) == 0; }
+bool is_peer(const Point& p) {
+    return p.method.rfind("odeint", 0) == 0;
+}
 
-/// The best of ours against one point of theirs: the least time of ours that is at least as accurate, over theirs.
+/// The best of ours against one point of theirs: the least time of ours that is at least as accurate, over
+/// theirs.
 double behind(const Point& theirs, const std::vector<Point>& all, double round_off) {
-    const double allowed = std::max(theirs.error * (1 + 1e-6), round_off);   // the same method rounds differently
+    const double allowed =
+        std::max(theirs.error * (1 + 1e-6), round_off);  // the same method rounds differently
     double best = std::numeric_limits<double>::infinity();
     for (const Point& p : all)
         if (!is_peer(p) && p.error <= allowed) best = std::min(best, p.seconds);
@@ -247,12 +301,15 @@ double behind(const Point& theirs, const std::vector<Point>& all, double round_o
 }
 
 template <class Scene>
-bool compare(const Scene& scene, const std::vector<Point>& all, const std::filesystem::path& folder, const std::string& command, lab::Table& data) {
+bool compare(const Scene& scene, const std::vector<Point>& all, const std::filesystem::path& folder,
+             const std::string& command, lab::Table& data) {
     lab::Chart chart;
     chart.title = "Against Boost.odeint (grey): " + scene.name;
     chart.subtitle = "The same compiler, flags and run. Down and left is better.";
     chart.x = {"processor time of the run [s]", lab::Scale::logarithmic};
-    chart.y = {std::string(scene.final_error_only ? "error at the end [" : "largest error [") + scene.unit + "]", lab::Scale::logarithmic};
+    chart.y = {
+        std::string(scene.final_error_only ? "error at the end [" : "largest error [") + scene.unit + "]",
+        lab::Scale::logarithmic};
     chart.height = 520;
     chart.levels_y = {{scene.round_off, "round-off: below, chance decides"}};
     double worst = 0;
@@ -271,19 +328,23 @@ bool compare(const Scene& scene, const std::vector<Point>& all, const std::files
             worst = std::max(worst, ratio);
             if (ratio > margin) {
                 ahead = false;
-                std::cout << "  " << scene.id << ": " << p.method << ", " << p.how << " (error " << p.error << ") is ahead: our time is " << ratio << " of its\n";
+                std::cout << "  " << scene.id << ": " << p.method << ", " << p.how << " (error " << p.error
+                          << ") is ahead: our time is " << ratio << " of its\n";
             }
         }
     }
     lab::write_svg(chart, folder / ("odeint_" + scene.id + ".svg"));
-    lab::write_file(folder / ("odeint_" + scene.id + ".txt"), "command: " + command + "\nscene: " + scene.name + "\n");
-    std::cout << "  " << scene.id << ", " << scene.name << ": where we are nearest to odeint, our best method takes " << worst
+    lab::write_file(folder / ("odeint_" + scene.id + ".txt"),
+                    "command: " + command + "\nscene: " + scene.name + "\n");
+    std::cout << "  " << scene.id << ", " << scene.name
+              << ": where we are nearest to odeint, our best method takes " << worst
               << " of its time for the same error or less\n";
     return ahead;
 }
 
 /// Like for like: the same method with the same steps, time of ours over theirs.
-double like_for_like(const std::vector<Point>& all, const std::string& ours, const std::string& theirs, const std::string& how) {
+double like_for_like(const std::vector<Point>& all, const std::string& ours, const std::string& theirs,
+                     const std::string& how) {
     double a = 0, b = 0;
     for (const Point& p : all) {
         if (p.method == ours && p.how == how) a = p.seconds;
@@ -299,9 +360,14 @@ int main(int argc, char** argv) try {
     bool check = false;
     std::filesystem::path folder = "out/03_forces";
     for (int i = 1; i < argc; ++i) {
-        if (std::strcmp(argv[i], "--check") == 0) check = true;
-        else if (std::strcmp(argv[i], "--out") == 0 && i + 1 < argc) folder = argv[++i];
-        else return std::cerr << "peers_03_forces: unknown argument '" << argv[i] << "'. Usage: peers_03_forces [--check] [--out DIR]\n", 2;
+        if (std::strcmp(argv[i], "--check") == 0)
+            check = true;
+        else if (std::strcmp(argv[i], "--out") == 0 && i + 1 < argc)
+            folder = argv[++i];
+        else
+            return std::cerr << "peers_03_forces: unknown argument '" << argv[i]
+                             << "'. Usage: peers_03_forces [--check] [--out DIR]\n",
+                   2;
     }
     const std::string command = "./course run 3";
     std::cout << "Boost.odeint on our scenes\n";
@@ -318,8 +384,10 @@ int main(int argc, char** argv) try {
         odeint_all<2>(all, scene, {40, 80, 160, 320, 640, 1280, 2560});
         if (ratio == 0) {
             using Half = std::array<double, 1>;
-            odeint_nystroem<1>(all, scene, "sb3a", ode::symplectic_rkn_sb3a_mclachlan<Half>(), {40, 80, 160, 320, 640, 1280});
-            odeint_nystroem<1>(all, scene, "sb3a_m4", ode::symplectic_rkn_sb3a_m4_mclachlan<Half>(), {40, 80, 160, 320, 640, 1280});
+            odeint_nystroem<1>(all, scene, "sb3a", ode::symplectic_rkn_sb3a_mclachlan<Half>(),
+                               {40, 80, 160, 320, 640, 1280});
+            odeint_nystroem<1>(all, scene, "sb3a_m4", ode::symplectic_rkn_sb3a_m4_mclachlan<Half>(),
+                               {40, 80, 160, 320, 640, 1280});
         }
         ahead &= compare(scene, all, folder, command, data);
         const double rk4 = like_for_like(all, "RK4", "odeint rk4", "1280 steps");
@@ -340,13 +408,17 @@ int main(int argc, char** argv) try {
         std::vector<Point> all;
         const LogHamiltonian leapfrog(1, scene.scene.start);
         our_clock(all, scene, "logarithmic leapfrog", leapfrog, {20, 50, 100, 200, 500, 1000});
-        our_clock(all, scene, "logarithmic leapfrog, order 8", Composed<LogHamiltonian, 15>{leapfrog, kahan_li_weights()}, {4, 5, 6, 8, 10, 12, 16, 20, 24, 32, 40, 50, 64, 80, 100, 128, 160, 200});
+        our_clock(all, scene, "logarithmic leapfrog, order 8",
+                  Composed<LogHamiltonian, 15>{leapfrog, kahan_li_weights()},
+                  {4, 5, 6, 8, 10, 12, 16, 20, 24, 32, 40, 50, 64, 80, 100, 128, 160, 200});
         our_flow(all, scene, "RK4", rk4_method, {20000, 50000, 100000, 200000});
         our_controlled(all, scene);
         odeint_all<4>(all, scene, {20000, 50000, 100000, 200000});
         using Half = std::array<double, 2>;
-        odeint_nystroem<2>(all, scene, "sb3a", ode::symplectic_rkn_sb3a_mclachlan<Half>(), {10000, 20000, 50000, 100000});
-        odeint_nystroem<2>(all, scene, "sb3a_m4", ode::symplectic_rkn_sb3a_m4_mclachlan<Half>(), {10000, 20000, 50000, 100000});
+        odeint_nystroem<2>(all, scene, "sb3a", ode::symplectic_rkn_sb3a_mclachlan<Half>(),
+                           {10000, 20000, 50000, 100000});
+        odeint_nystroem<2>(all, scene, "sb3a_m4", ode::symplectic_rkn_sb3a_m4_mclachlan<Half>(),
+                           {10000, 20000, 50000, 100000});
         ahead &= compare(scene, all, folder, command, data);
         const double rk4 = like_for_like(all, "RK4", "odeint rk4", "100000 steps");
         std::cout << "    the same RK4, ours over theirs: " << rk4 << " of the time\n";

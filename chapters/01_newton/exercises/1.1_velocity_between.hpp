@@ -7,7 +7,8 @@ namespace nutshell::exercises {
 
 struct VelocityBetween {
     static constexpr const char *id = "1.1", *function = "velocity_between";
-    static constexpr auto subject = NUTSHELL_CALL(velocity_between);  // in the sheet this is the learner's
+    static constexpr auto subject =
+        NUTSHELL_CALL(velocity_between);  // in the sheet this is the learner's
 
     template <class Answer>
     static void ask(Paper& paper, const Answer& answer) {
@@ -32,16 +33,20 @@ inline const bool velocity_between_entered = enter<VelocityBetween>();
 
 namespace nutshell::mistakes {
 
-inline Vector3 displacement_for_velocity(const Vector3& position, const Vector3& next_position, double) {
+inline Vector3 displacement_for_velocity(const Vector3& position, const Vector3& next_position,
+                                         double) {
     return next_position - position;
 }
-inline Vector3 velocity_times_dt(const Vector3& position, const Vector3& next_position, double dt) {
+inline Vector3 velocity_times_dt(const Vector3& position, const Vector3& next_position,
+                                 double dt) {
     return (next_position - position) * dt;
 }
-inline Vector3 velocity_backwards(const Vector3& position, const Vector3& next_position, double dt) {
+inline Vector3 velocity_backwards(const Vector3& position, const Vector3& next_position,
+                                  double dt) {
     return (position - next_position) / dt;
 }
-inline Vector3 velocity_over_two_steps(const Vector3& position, const Vector3& next_position, double dt) {
+inline Vector3 velocity_over_two_steps(const Vector3& position, const Vector3& next_position,
+                                       double dt) {
     return (next_position - position) / (2 * dt);
 }
 
@@ -49,7 +54,8 @@ inline Vector3 velocity_over_two_steps(const Vector3& position, const Vector3& n
 
 namespace nutshell::alternatives {
 
-inline Vector3 velocity_by_rate(const Vector3& position, const Vector3& next_position, double dt) {
+inline Vector3 velocity_by_rate(const Vector3& position, const Vector3& next_position,
+                                double dt) {
     const double rate = 1 / dt;
     return rate * next_position - rate * position;
 }
@@ -61,30 +67,38 @@ namespace nutshell::exercises {
 inline Exercise VelocityBetween::about() {
     return {
         .title = "Velocity from two positions",
-        .hints = {"Velocity is how far the body gets in one second. You know how far it gets in dt seconds.",
-                  "Where it is then, less where it was, is the way it went: a vector. How often does dt fit "
-                  "into a second?",
-                  "The way from the first position to the second one, divided by the time it took."},
+        .hints =
+            {"Velocity is how far the body gets in one second. You know how far it gets in dt "
+             "seconds.",
+             "Where it is then, less where it was, is the way it went: a vector. How often does "
+             "dt fit "
+             "into a second?",
+             "The way from the first position to the second one, divided by the time it took."},
         .mistakes =
             {{"the way, not the velocity", "classic: moving by frames",
               "The game runs twice as fast on a screen with twice the frames.",
-              "You return how far the body moved in this interval; a velocity is that per second, so the "
+              "You return how far the body moved in this interval; a velocity is that per "
+              "second, so the "
               "time it took must enter.",
               attempt<VelocityBetween>(NUTSHELL_CALL(mistakes::displacement_for_velocity))},
-             {"multiplied by dt", "classic", "Almost nothing moves, and the shorter the frame the less.",
-              "You multiply the way by dt. A shorter time for the same way means a higher velocity, so dt "
+             {"multiplied by dt", "classic",
+              "Almost nothing moves, and the shorter the frame the less.",
+              "You multiply the way by dt. A shorter time for the same way means a higher "
+              "velocity, so dt "
               "belongs below the line.",
               attempt<VelocityBetween>(NUTSHELL_CALL(mistakes::velocity_times_dt))},
              {"backwards in time", "classic", "Everything flies backwards.",
-              "You take the old position less the new one. The way goes from the old position to the new "
+              "You take the old position less the new one. The way goes from the old position to "
+              "the new "
               "one: new less old.",
               attempt<VelocityBetween>(NUTSHELL_CALL(mistakes::velocity_backwards))},
              {"two steps where there is one", "classic: the central difference",
               "Everything moves at half its speed.",
-              "You divide by 2 dt. That is right for positions two steps apart; these are one step apart.",
+              "You divide by 2 dt. That is right for positions two steps apart; these are one "
+              "step apart.",
               attempt<VelocityBetween>(NUTSHELL_CALL(mistakes::velocity_over_two_steps))}},
-        .alternatives = {{"each position times the rate",
-                          attempt<VelocityBetween>(NUTSHELL_CALL(alternatives::velocity_by_rate))}},
+        .alternatives = {{"each position times the rate", attempt<VelocityBetween>(NUTSHELL_CALL(
+                                                              alternatives::velocity_by_rate))}},
     };
 }
 

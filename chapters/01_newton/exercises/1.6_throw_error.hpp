@@ -18,7 +18,8 @@ struct ThrowError {
             paper.input("acceleration", acceleration, "duration", duration, "dt", dt);
             const Vector3 euler = answer(Method::euler, acceleration, duration, dt);
             paper.output("Euler's error [m]", euler, term);
-            const Vector3 semi_implicit = answer(Method::semi_implicit_euler, acceleration, duration, dt);
+            const Vector3 semi_implicit =
+                answer(Method::semi_implicit_euler, acceleration, duration, dt);
             paper.output("semi-implicit Euler's error [m]", semi_implicit, term);
             const Vector3 verlet = answer(Method::verlet, acceleration, duration, dt);
             paper.output("Verlet's error [m]", verlet, term);
@@ -46,20 +47,25 @@ inline Vector3 error_of_one_step(Method method, const Vector3& acceleration, dou
            : method == Method::semi_implicit_euler ? error
                                                    : Vector3::Zero();
 }
-inline Vector3 error_signs_exchanged(Method method, const Vector3& acceleration, double duration, double dt) {
+inline Vector3 error_signs_exchanged(Method method, const Vector3& acceleration, double duration,
+                                     double dt) {
     return -throw_error(method, acceleration, duration, dt);
 }
-inline Vector3 error_of_whole_steps(Method method, const Vector3& acceleration, double duration, double dt) {
+inline Vector3 error_of_whole_steps(Method method, const Vector3& acceleration, double duration,
+                                    double dt) {
     return 2 * throw_error(method, acceleration, duration, dt);
 }
-inline Vector3 error_same_for_both(Method method, const Vector3& acceleration, double duration, double dt) {
-    return method == Method::verlet ? Vector3::Zero() : Vector3(-acceleration * duration * dt / 2);
+inline Vector3 error_same_for_both(Method method, const Vector3& acceleration, double duration,
+                                   double dt) {
+    return method == Method::verlet ? Vector3::Zero()
+                                    : Vector3(-acceleration * duration * dt / 2);
 }
 inline Vector3 error_without_duration(Method method, const Vector3& acceleration, double duration,
                                       double dt) {
     return throw_error(method, acceleration, duration, dt) / duration;
 }
-inline Vector3 error_of_verlet_too(Method method, const Vector3& acceleration, double duration, double dt) {
+inline Vector3 error_of_verlet_too(Method method, const Vector3& acceleration, double duration,
+                                   double dt) {
     if (method == Method::verlet) return acceleration * duration * dt * dt / 2;
     return throw_error(method, acceleration, duration, dt);
 }
@@ -68,9 +74,11 @@ inline Vector3 error_of_verlet_too(Method method, const Vector3& acceleration, d
 
 namespace nutshell::alternatives {
 
-inline Vector3 error_by_counting_steps(Method method, const Vector3& acceleration, double duration,
-                                       double dt) {
-    const double part = method == Method::euler ? -0.5 : method == Method::semi_implicit_euler ? 0.5 : 0.0;
+inline Vector3 error_by_counting_steps(Method method, const Vector3& acceleration,
+                                       double duration, double dt) {
+    const double part = method == Method::euler                 ? -0.5
+                        : method == Method::semi_implicit_euler ? 0.5
+                                                                : 0.0;
     const double steps = duration / dt;
     return part * steps * (dt * dt * acceleration);
 }
@@ -82,51 +90,62 @@ namespace nutshell::exercises {
 inline Exercise ThrowError::about() {
     return {
         .title = "How wrong a throw is, before you throw",
-        .hints = {"Compare one step with the truth. Over one step the exact way is v dt + a dt^2/2; which "
+        .hints = {"Compare one step with the truth. Over one step the exact way is v dt + a "
+                  "dt^2/2; which "
                   "velocity does each method drift with?",
                   "Euler drifts with the velocity of the start and lacks a dt^2/2 in each step; "
                   "semi-implicit Euler has as much too much. "
                   "How many steps are there in the duration?",
-                  "Number of steps, T/dt, times the error of one step, with its sign: one method lags, one "
+                  "Number of steps, T/dt, times the error of one step, with its sign: one method "
+                  "lags, one "
                   "leads, one has the mean velocity exactly."},
         .picture = "throw.png",
-        .mistakes = {{"no error at all", "E04", "The ball flies too high, and nobody can say why.",
-                      "You return zero, as the source's remark suggests: Euler is good if the force hardly "
-                      "changes in a step. Here it does not change at all, "
-                      "and Euler is still wrong: the velocity changes during the step, and the drift does "
-                      "not see it.",
-                      attempt<ThrowError>(NUTSHELL_CALL(mistakes::no_error_at_all))},
-                     {"the error of one step only", "classic: local for global error",
-                      "Halving dt halves the error, where you promised a quarter.",
-                      "a dt^2/2 is what one step adds. There are T/dt of them, and their errors add up, so "
-                      "one power of dt is gone at the end.",
-                      attempt<ThrowError>(NUTSHELL_CALL(mistakes::error_of_one_step))},
-                     {"the signs exchanged", "classic",
-                      "You aim lower to correct, and miss by twice as much.",
-                      "The size is right, the sign is not. The error is computed less exact; Euler lags "
-                      "behind the acceleration, "
-                      "so with gravity pointing down its ball is too high.",
-                      attempt<ThrowError>(NUTSHELL_CALL(mistakes::error_signs_exchanged))},
-                     {"a factor of two", "classic", "The promised error is twice the one seen.",
-                      "You have a dt^2 for a step. The velocity grows evenly from start to end of a step, so "
-                      "on the average it is off by half of a dt.",
-                      attempt<ThrowError>(NUTSHELL_CALL(mistakes::error_of_whole_steps))},
-                     {"the same error for both", "classic",
-                      "The correction for one method doubles the error of the other.",
-                      "Euler drifts with the velocity of the step's start, semi-implicit Euler with that of "
-                      "its end: one comes too short, the other too far.",
-                      attempt<ThrowError>(NUTSHELL_CALL(mistakes::error_same_for_both))},
-                     {"the duration left out", "classic", "A long throw misses by more than you promised.",
-                      "The error does not grow with the duration in your formula. Each step adds its part, "
-                      "so twice the steps have twice the error.",
-                      attempt<ThrowError>(NUTSHELL_CALL(mistakes::error_without_duration))},
-                     {"an error for Verlet", "classic: order taken for error",
-                      "You make the step smaller than it need be.",
-                      "Verlet is of second order, but that is a bound for any force. With constant "
-                      "acceleration it drifts with the exact mean velocity and has no error.",
-                      attempt<ThrowError>(NUTSHELL_CALL(mistakes::error_of_verlet_too))}},
+        .mistakes =
+            {{"no error at all", "E04", "The ball flies too high, and nobody can say why.",
+              "You return zero, as the source's remark suggests: Euler is good if the force "
+              "hardly "
+              "changes in a step. Here it does not change at all, "
+              "and Euler is still wrong: the velocity changes during the step, and the drift "
+              "does "
+              "not see it.",
+              attempt<ThrowError>(NUTSHELL_CALL(mistakes::no_error_at_all))},
+             {"the error of one step only", "classic: local for global error",
+              "Halving dt halves the error, where you promised a quarter.",
+              "a dt^2/2 is what one step adds. There are T/dt of them, and their errors add up, "
+              "so "
+              "one power of dt is gone at the end.",
+              attempt<ThrowError>(NUTSHELL_CALL(mistakes::error_of_one_step))},
+             {"the signs exchanged", "classic",
+              "You aim lower to correct, and miss by twice as much.",
+              "The size is right, the sign is not. The error is computed less exact; Euler lags "
+              "behind the acceleration, "
+              "so with gravity pointing down its ball is too high.",
+              attempt<ThrowError>(NUTSHELL_CALL(mistakes::error_signs_exchanged))},
+             {"a factor of two", "classic", "The promised error is twice the one seen.",
+              "You have a dt^2 for a step. The velocity grows evenly from start to end of a "
+              "step, so "
+              "on the average it is off by half of a dt.",
+              attempt<ThrowError>(NUTSHELL_CALL(mistakes::error_of_whole_steps))},
+             {"the same error for both", "classic",
+              "The correction for one method doubles the error of the other.",
+              "Euler drifts with the velocity of the step's start, semi-implicit Euler with that "
+              "of "
+              "its end: one comes too short, the other too far.",
+              attempt<ThrowError>(NUTSHELL_CALL(mistakes::error_same_for_both))},
+             {"the duration left out", "classic",
+              "A long throw misses by more than you promised.",
+              "The error does not grow with the duration in your formula. Each step adds its "
+              "part, "
+              "so twice the steps have twice the error.",
+              attempt<ThrowError>(NUTSHELL_CALL(mistakes::error_without_duration))},
+             {"an error for Verlet", "classic: order taken for error",
+              "You make the step smaller than it need be.",
+              "Verlet is of second order, but that is a bound for any force. With constant "
+              "acceleration it drifts with the exact mean velocity and has no error.",
+              attempt<ThrowError>(NUTSHELL_CALL(mistakes::error_of_verlet_too))}},
         .alternatives = {{"steps times the error of one",
-                          attempt<ThrowError>(NUTSHELL_CALL(alternatives::error_by_counting_steps))}},
+                          attempt<ThrowError>(
+                              NUTSHELL_CALL(alternatives::error_by_counting_steps))}},
     };
 }
 

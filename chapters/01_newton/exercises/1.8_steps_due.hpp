@@ -15,8 +15,8 @@ struct StepsDue {
         // even frames, a short one, none, one far too long, and what comes after it
         for (const double frame_time :
              {0.0141, 0.0171, 0.0172, 0.0038, 0.0, 0.0464, 0.1235, 0.0063, 0.0318}) {
-            paper.input("frame_time", frame_time, "clock.step", clock.step, "clock.owed", clock.owed,
-                        "clock.most_steps", clock.most_steps);
+            paper.input("frame_time", frame_time, "clock.step", clock.step, "clock.owed",
+                        clock.owed, "clock.most_steps", clock.most_steps);
             const int steps = answer(clock, frame_time);
             paper.output("the number of steps", steps, 1);
             paper.output("clock.owed afterwards [s]", clock.owed, frame_time, clock.step);
@@ -94,48 +94,61 @@ namespace nutshell::exercises {
 inline Exercise StepsDue::about() {
     return {
         .title = "How many steps a frame owes",
-        .hints = {"The clock remembers in owed what earlier frames left over. This frame's time comes on top "
+        .hints = {"The clock remembers in owed what earlier frames left over. This frame's time "
+                  "comes on top "
                   "of it.",
-                  "Only whole steps can be made. What is less than a step stays owed for the next frame.",
-                  "Add the frame's time to owed; the whole steps in it are due, and their time is paid, even "
+                  "Only whole steps can be made. What is less than a step stays owed for the "
+                  "next frame.",
+                  "Add the frame's time to owed; the whole steps in it are due, and their time "
+                  "is paid, even "
                   "if most_steps lets you make fewer of them."},
         .picture = "game_loop.png",
         .mistakes =
             {{"no memory of earlier frames", "classic",
-              "At 60 frames a second the game runs slower than the clock; at 144 it stands still.",
-              "You count the whole steps of this frame alone and forget the rest. Add the frame's time to "
+              "At 60 frames a second the game runs slower than the clock; at 144 it stands "
+              "still.",
+              "You count the whole steps of this frame alone and forget the rest. Add the "
+              "frame's time to "
               "clock.owed, and leave there what is less than a step.",
               attempt<StepsDue>(NUTSHELL_CALL(mistakes::steps_without_memory))},
              {"the rest forgotten", "classic: the accumulator dropped each frame",
-              "The game runs a little slower than the clock, by another part at every frame rate.",
-              "You set clock.owed to zero after counting. What is less than a step must stay owed, or time "
+              "The game runs a little slower than the clock, by another part at every frame "
+              "rate.",
+              "You set clock.owed to zero after counting. What is less than a step must stay "
+              "owed, or time "
               "is lost in every frame.",
               attempt<StepsDue>(NUTSHELL_CALL(mistakes::steps_then_forgotten))},
              {"rounded to the nearest", "classic",
               "The picture jerks back: at times the physics is ahead of the clock.",
-              "You round to the nearest whole number of steps, so a step is made before its time has come. "
+              "You round to the nearest whole number of steps, so a step is made before its time "
+              "has come. "
               "Round down: only time that has passed can be paid.",
               attempt<StepsDue>(NUTSHELL_CALL(mistakes::steps_rounded))},
              {"rounded up", "classic",
-              "The physics is always ahead of the clock, and drawing between two states looks into the "
+              "The physics is always ahead of the clock, and drawing between two states looks "
+              "into the "
               "future.",
               "You round up, so the last step is made before its time has come. Round down.",
               attempt<StepsDue>(NUTSHELL_CALL(mistakes::steps_rounded_up))},
              {"no limit", "classic: the spiral of death",
               "After one slow frame the next is slower still, until the game freezes.",
-              "You never make fewer steps than are due. Beyond clock.most_steps the surplus must be dropped.",
+              "You never make fewer steps than are due. Beyond clock.most_steps the surplus must "
+              "be dropped.",
               attempt<StepsDue>(NUTSHELL_CALL(mistakes::steps_never_dropped))},
              {"the surplus kept for later", "classic: the spiral of death, slowly",
               "After a long frame the game runs at its limit for seconds, in fast motion.",
-              "You keep owing the steps beyond clock.most_steps, so the debt is carried on. Beyond the limit "
+              "You keep owing the steps beyond clock.most_steps, so the debt is carried on. "
+              "Beyond the limit "
               "time is dropped: only what is less than a step stays owed.",
               attempt<StepsDue>(NUTSHELL_CALL(mistakes::steps_kept_for_later))},
              {"steps never paid", "classic",
               "The game runs faster and faster until every frame is at the limit.",
-              "You count the steps but leave their time in clock.owed, so it is counted again in every "
+              "You count the steps but leave their time in clock.owed, so it is counted again in "
+              "every "
               "frame. Take the time of the steps off.",
               attempt<StepsDue>(NUTSHELL_CALL(mistakes::steps_not_booked))}},
-        .alternatives = {{"one by one", attempt<StepsDue>(NUTSHELL_CALL(alternatives::steps_one_by_one))}},
+        .alternatives = {{"one by one",
+                          attempt<StepsDue>(NUTSHELL_CALL(alternatives::steps_one_by_one))}},
     };
 }
 

@@ -24,26 +24,30 @@ inline Vector3 velocity_of(const Sledge& sledge) {
     return sledge.momentum / sledge.mass;
 }
 
-/// A force that lets no slip hide: it depends on the place and the time, and if it has drag, on the velocity.
+/// A force that lets no slip hide: it depends on the place and the time, and if it has drag, on
+/// the velocity.
 struct Tether {
     double drag;
     template <class State>
     Vector3 operator()(const State& state, double t) const {
-        return -1.7 * state.position + (1 + t) * Vector3{0.9, -1.4, 0.7} - drag * velocity_of(state);
+        return -1.7 * state.position + (1 + t) * Vector3{0.9, -1.4, 0.7} -
+               drag * velocity_of(state);
     }
 };
 
-/// One step of each state; then the planet's orbit for one unit of time, against Kepler's equation.
+/// One step of each state; then the planet's orbit for one unit of time, against Kepler's
+/// equation.
 template <class Answer>
 void ask_step(Paper& paper, const Answer& answer, double drag) {
     const double dt = paper.step(0.2), t = 0.6;
     const Tether tether{drag};
     const PointMass body{2.5, {1.1, -0.8, 0.6}, {0.7, 1.3, -0.9}};
     const Vector3 gain = tether(body, t) / body.mass * dt;
-    paper.input("a point mass, mass", body.mass, "position", body.position, "velocity", body.velocity, "t", t,
-                "dt", dt);
+    paper.input("a point mass, mass", body.mass, "position", body.position, "velocity",
+                body.velocity, "t", t, "dt", dt);
     const PointMass moved = answer(body, tether, t, dt);
-    paper.output("the position [m]", moved.position, body.position, body.velocity * dt, gain * dt);
+    paper.output("the position [m]", moved.position, body.position, body.velocity * dt,
+                 gain * dt);
     paper.output("the velocity [m/s]", moved.velocity, body.velocity, gain);
     paper.output("the mass [kg]", moved.mass, body.mass);
 
@@ -61,9 +65,10 @@ void ask_step(Paper& paper, const Answer& answer, double drag) {
     const Sledge sledge{2.5, body.position, body.mass * body.velocity};
     paper.input("a state of another type, with its own drift and kick, dt", dt);
     const Sledge slid = answer(sledge, tether, t, dt);
-    paper.output("the other state's position [m]", slid.position, body.position, body.velocity * dt,
-                 gain * dt);
-    paper.output("the other state's momentum [kg m/s]", slid.momentum, sledge.momentum, gain * body.mass);
+    paper.output("the other state's position [m]", slid.position, body.position,
+                 body.velocity * dt, gain * dt);
+    paper.output("the other state's momentum [kg m/s]", slid.momentum, sledge.momentum,
+                 gain * body.mass);
 #endif
 }
 

@@ -155,8 +155,7 @@ inline Vector3 throw_error(Method method, const Vector3& acceleration, double du
 /// The largest step [s] that divides `duration` [s] into whole steps and keeps Euler's error
 /// at its end within `tolerance` [m], under constant acceleration [m/s^2]: (1.a) solved.
 /// @throws std::invalid_argument if tolerance or duration is not finite and positive
-inline double euler_step_within(double tolerance, const Vector3& acceleration,
-                                double duration) {
+inline double euler_step_within(double tolerance, const Vector3& acceleration, double duration) {
     require_positive(tolerance, "euler_step_within: tolerance [m]");
     require_positive(duration, "euler_step_within: duration [s]");
     // exercise 1.7

@@ -1,7 +1,7 @@
 // The scenes of chapter 1. A scene is data and a few functions:
 //   name, start, duration      what moves, from where, how long [s]
-//   operator()(state, t)       the force [N], world frame: the scene itself is what a method calls
-//   exact(t)                   the exact state, with a word on its own accuracy
+//   operator()(state, t)       the force [N], world frame: the scene itself is what a method
+//   calls exact(t)                   the exact state, with a word on its own accuracy
 //   error(state, t)            how far a computed state is from it, in the unit of `need`
 //   need                       the largest error the scene bears, and why
 #pragma once
@@ -26,7 +26,9 @@ struct StraightLine {
     Need need{1e-13, "m", "round-off: there is nothing to get wrong"};
 
     Vector3 operator()(const PointMass&, double) const { return Vector3::Zero(); }
-    PointMass exact(double t) const { return {start.mass, start.position + start.velocity * t, start.velocity}; }
+    PointMass exact(double t) const {
+        return {start.mass, start.position + start.velocity * t, start.velocity};
+    }
     double error(const PointMass& state, double t) const { return distance(state, exact(t)); }
 };
 
@@ -40,13 +42,15 @@ struct ThrownBall {
 
     Vector3 operator()(const PointMass& ball, double) const { return ball.mass * gravity; }
     PointMass exact(double t) const {
-        return {start.mass, start.position + start.velocity * t + gravity * t * t / 2, start.velocity + gravity * t};
+        return {start.mass, start.position + start.velocity * t + gravity * t * t / 2,
+                start.velocity + gravity * t};
     }
     double error(const PointMass& state, double t) const { return distance(state, exact(t)); }
 };
 
-/// A planet on an eccentric orbit (scene S5). Units in which GM = 1 and the semi-major axis a = 1; a year is 2 pi.
-/// exact: Kepler's equation; accurate to the round-off of the angle turned, 1e-16 * 2 pi * orbits / (1 - e).
+/// A planet on an eccentric orbit (scene S5). Units in which GM = 1 and the semi-major axis a =
+/// 1; a year is 2 pi. exact: Kepler's equation; accurate to the round-off of the angle turned,
+/// 1e-16 * 2 pi * orbits / (1 - e).
 struct Planet {
     std::string name = "planet";
     double gm = 1;              // gravity constant times the mass of the sun

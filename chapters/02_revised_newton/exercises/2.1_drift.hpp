@@ -14,10 +14,12 @@ struct DriftInMomentum {
         const double dt = paper.step(0.1);
         for (const double mass : {2.5, 0.4}) {
             const Particle start{mass, {1.2, -0.7, 2.1}, {-3.4, 5.1, 2.6}};
-            paper.input("mass", mass, "position", start.position, "momentum", start.momentum, "dt", dt);
+            paper.input("mass", mass, "position", start.position, "momentum", start.momentum,
+                        "dt", dt);
             Particle body = start;
             answer(body, dt);
-            paper.output("the position after the drift [m]", body.position, start.position, start.momentum / mass * dt);
+            paper.output("the position after the drift [m]", body.position, start.position,
+                         start.momentum / mass * dt);
             paper.output("the momentum after the drift [kg m/s]", body.momentum, start.momentum);
         }
     }
@@ -63,24 +65,33 @@ namespace nutshell::exercises {
 inline Exercise DriftInMomentum::about() {
     return {
         .title = "Drift with a momentum",
-        .hints = {"In chapter 1 the body moved by its velocity times dt. Here nobody tells you the velocity.",
+        .hints = {"In chapter 1 the body moved by its velocity times dt. Here nobody tells you "
+                  "the velocity.",
                   "Momentum is mass times velocity. Turn that round: what is the velocity?",
-                  "Momentum over mass is the velocity; the body moves that far in one second, and you have dt seconds."},
-        .mistakes =
-            {{"momentum for velocity", "classic: a body of 1 kg",
-              "Heavy things race, light things crawl; a body of 1 kg looks right.",
-              "You move the body by its momentum. The same momentum moves a heavier body more slowly: divide by the mass.",
-              attempt<DriftInMomentum>(NUTSHELL_CALL(mistakes::drift_by_momentum))},
-             {"the mass above the line", "classic", "The heavier a thing is, the faster it flies off.",
-              "You multiply by the mass. A velocity is momentum divided by mass.",
-              attempt<DriftInMomentum>(NUTSHELL_CALL(mistakes::drift_by_mass_times_momentum))},
-             {"a second in every step", "classic: moving by frames", "Everything jumps a whole second ahead in every frame.",
-              "You move the body by its velocity, which is the way of one second. The step has dt seconds.",
-              attempt<DriftInMomentum>(NUTSHELL_CALL(mistakes::drift_without_dt))},
-             {"starts from the origin every time", "classic: = for +=", "The body trembles near the origin and never gets away.",
-              "You replace the position by the way of this step. The way must be added to where the body was.",
-              attempt<DriftInMomentum>(NUTSHELL_CALL(mistakes::drift_from_the_origin))}},
-        .alternatives = {{"velocity first", attempt<DriftInMomentum>(NUTSHELL_CALL(alternatives::drift_by_velocity))}},
+                  "Momentum over mass is the velocity; the body moves that far in one second, "
+                  "and you have dt seconds."},
+        .mistakes = {{"momentum for velocity", "classic: a body of 1 kg",
+                      "Heavy things race, light things crawl; a body of 1 kg looks right.",
+                      "You move the body by its momentum. The same momentum moves a heavier body "
+                      "more slowly: divide by the mass.",
+                      attempt<DriftInMomentum>(NUTSHELL_CALL(mistakes::drift_by_momentum))},
+                     {"the mass above the line", "classic",
+                      "The heavier a thing is, the faster it flies off.",
+                      "You multiply by the mass. A velocity is momentum divided by mass.",
+                      attempt<DriftInMomentum>(
+                          NUTSHELL_CALL(mistakes::drift_by_mass_times_momentum))},
+                     {"a second in every step", "classic: moving by frames",
+                      "Everything jumps a whole second ahead in every frame.",
+                      "You move the body by its velocity, which is the way of one second. The "
+                      "step has dt seconds.",
+                      attempt<DriftInMomentum>(NUTSHELL_CALL(mistakes::drift_without_dt))},
+                     {"starts from the origin every time", "classic: = for +=",
+                      "The body trembles near the origin and never gets away.",
+                      "You replace the position by the way of this step. The way must be added "
+                      "to where the body was.",
+                      attempt<DriftInMomentum>(NUTSHELL_CALL(mistakes::drift_from_the_origin))}},
+        .alternatives = {{"velocity first", attempt<DriftInMomentum>(
+                                                NUTSHELL_CALL(alternatives::drift_by_velocity))}},
     };
 }
 

@@ -1,8 +1,8 @@
 // The scenes of chapter 2. What a scene is made of: see chapter 1's newton_scenes.hpp.
 #pragma once
+#include <array>
 #include <nutshell/exhaust.hpp>
 #include <nutshell/newton_scenes.hpp>
-#include <array>
 
 namespace nutshell {
 
@@ -160,12 +160,12 @@ struct ManyForces {
     std::string name = "many_forces";
     std::array<Vector3, 4> ropes{Vector3{300, 0, 40}, Vector3{-120, 0, 250},
                                  Vector3{-210, 0, -160}, Vector3{31, 0, -131}};  // [N]
-    Vector3 shake{0, 0, 30};                              // [N]
-    double shake_rate = 2 * pi;                           // [rad/s]
+    Vector3 shake{0, 0, 30};                                                     // [N]
+    double shake_rate = 2 * pi;                                                  // [rad/s]
     Particle start{4, {0, 0, 0}, {0, 0, 0}};
     double duration = 6;  // [s]
     Need need{8.0 / 960, "m", "one pixel of a picture 8 m across 960 pixels"};
-    std::array<std::size_t, 5> order{0, 1, 2, 3, 4};   // in which the five are added
+    std::array<std::size_t, 5> order{0, 1, 2, 3, 4};  // in which the five are added
 
     Vector3 force(std::size_t i, double t) const {
         return i < 4 ? ropes[i] : Vector3(shake * std::cos(shake_rate * t));

@@ -1,7 +1,7 @@
 // Exercise 3.6: Verlet with drag that keeps its second order.
 #pragma once
-#include "steps.hpp"
 #include "exercise.hpp"
+#include "steps.hpp"
 
 namespace nutshell::exercises {
 
@@ -17,11 +17,15 @@ struct ExponentialVerletStep {
         const Sinking forces{2.2};
         const PointMass start{1.5, {0.3, 4.1, -0.6}, {6.2, 3.3, -1.9}};
         PointMass body = start;
-        for (int i = 0; i < steps; ++i) body = answer(body, forces, i / static_cast<double>(steps), 1.0 / steps);
+        for (int i = 0; i < steps; ++i)
+            body = answer(body, forces, i / static_cast<double>(steps), 1.0 / steps);
         const double x = forces.drag / start.mass;
-        const Vector3 terminal = forces(PointMass{start.mass, start.position, Vector3::Zero()}, 0) / forces.drag;
-        const Vector3 exact = start.position + terminal + (start.velocity - terminal) * (1 - std::exp(-x)) / x;
-        paper.run("the position at the end [m]", body.position, exact, start.position, start.velocity);
+        const Vector3 terminal =
+            forces(PointMass{start.mass, start.position, Vector3::Zero()}, 0) / forces.drag;
+        const Vector3 exact =
+            start.position + terminal + (start.velocity - terminal) * (1 - std::exp(-x)) / x;
+        paper.run("the position at the end [m]", body.position, exact, start.position,
+                  start.velocity);
     }
 #ifndef NUTSHELL_SHEET
     static Exercise about();
@@ -102,7 +106,9 @@ namespace nutshell::alternatives {
 
 template <class State, class Forces>
 State verlet_of_the_force_at_rest(State state, const Forces& forces, double t, double dt) {
-    const auto still = [&](const State& at, double time) { return force_at_rest(at, forces, time); };
+    const auto still = [&](const State& at, double time) {
+        return force_at_rest(at, forces, time);
+    };
     state.velocity *= std::exp(-forces.drag * dt / (2 * state.mass));
     state = verlet(state, still, t, dt);
     state.velocity *= std::exp(-forces.drag * dt / (2 * state.mass));
@@ -116,34 +122,52 @@ namespace nutshell::exercises {
 inline Exercise ExponentialVerletStep::about() {
     return {
         .title = "Verlet with drag",
-        .hints = {"Verlet's half kicks are right for forces of the place. The drag is not one; give it its own exact step, the decay, and take that out of the kicks.",
-                  "What makes Verlet second order is that it reads the same backwards. Where can the decay stand so that the new step does too?",
-                  "Half the decay, a Verlet step of the force at rest, half the decay. Half the decay is e to the minus gamma dt/(2 m)."},
+        .hints = {"Verlet's half kicks are right for forces of the place. The drag is not one; "
+                  "give it its own exact step, the decay, and take that out of the kicks.",
+                  "What makes Verlet second order is that it reads the same backwards. Where can "
+                  "the decay stand so that the new step does too?",
+                  "Half the decay, a Verlet step of the force at rest, half the decay. Half the "
+                  "decay is e to the minus gamma dt/(2 m)."},
         .order = 2,
         .picture = "damped_spring.png",
         .mistakes =
-            {{"drag inside the kicks", "curriculum: naive Verlet", "The swing runs ahead or behind; half the step halves the error only.",
-              "This is plain Verlet with the drag in its force. Its second half-kick sees the velocity before that kick, so it drops to first order.",
-              attempt<ExponentialVerletStep>(NUTSHELL_CALL(mistakes::verlet_with_drag_in_the_kick))},
+            {{"drag inside the kicks", "curriculum: naive Verlet",
+              "The swing runs ahead or behind; half the step halves the error only.",
+              "This is plain Verlet with the drag in its force. Its second half-kick sees the "
+              "velocity before that kick, so it drops to first order.",
+              attempt<ExponentialVerletStep>(
+                  NUTSHELL_CALL(mistakes::verlet_with_drag_in_the_kick))},
              {"all the drag at the start", "classic", "Half the step halves the error only.",
-              "The whole decay stands at the start, so the step does not read the same backwards. Take half before and half after.",
-              attempt<ExponentialVerletStep>(NUTSHELL_CALL(mistakes::verlet_with_all_drag_first))},
+              "The whole decay stands at the start, so the step does not read the same "
+              "backwards. Take half before and half after.",
+              attempt<ExponentialVerletStep>(
+                  NUTSHELL_CALL(mistakes::verlet_with_all_drag_first))},
              {"all the drag at the end", "classic", "Half the step halves the error only.",
-              "The whole decay stands at the end, so the step does not read the same backwards. Take half before and half after.",
+              "The whole decay stands at the end, so the step does not read the same backwards. "
+              "Take half before and half after.",
               attempt<ExponentialVerletStep>(NUTSHELL_CALL(mistakes::verlet_with_all_drag_last))},
-             {"a whole decay at both ends", "classic", "The drag is twice as strong as it should be.",
-              "You let the velocity decay by a whole step twice. Each end gets half: dt/2 in the exponent.",
+             {"a whole decay at both ends", "classic",
+              "The drag is twice as strong as it should be.",
+              "You let the velocity decay by a whole step twice. Each end gets half: dt/2 in the "
+              "exponent.",
               attempt<ExponentialVerletStep>(NUTSHELL_CALL(mistakes::verlet_with_whole_drags))},
-             {"decay and drag in the kick", "classic", "The drag is twice as strong as it should be, and the error falls at first order.",
+             {"decay and drag in the kick", "classic",
+              "The drag is twice as strong as it should be, and the error falls at first order.",
               "The force you kick with still has the drag in it. Use force_at_rest.",
               attempt<ExponentialVerletStep>(NUTSHELL_CALL(mistakes::verlet_with_drag_twice))},
-             {"drag without the mass", "classic", "Heavy things are braked as much as light ones.",
+             {"drag without the mass", "classic",
+              "Heavy things are braked as much as light ones.",
               "The exponent is gamma dt over twice the mass.",
-              attempt<ExponentialVerletStep>(NUTSHELL_CALL(mistakes::verlet_with_drag_without_mass))},
-             {"the force of the start, twice", "classic: a stale force", "The swing gains energy.",
+              attempt<ExponentialVerletStep>(
+                  NUTSHELL_CALL(mistakes::verlet_with_drag_without_mass))},
+             {"the force of the start, twice", "classic: a stale force",
+              "The swing gains energy.",
               "The second half-kick belongs to the new place and time: ask for the force again.",
-              attempt<ExponentialVerletStep>(NUTSHELL_CALL(mistakes::verlet_with_the_old_force_twice))}},
-        .alternatives = {{"Verlet of the force at rest", attempt<ExponentialVerletStep>(NUTSHELL_CALL(alternatives::verlet_of_the_force_at_rest))}},
+              attempt<ExponentialVerletStep>(
+                  NUTSHELL_CALL(mistakes::verlet_with_the_old_force_twice))}},
+        .alternatives = {{"Verlet of the force at rest",
+                          attempt<ExponentialVerletStep>(
+                              NUTSHELL_CALL(alternatives::verlet_of_the_force_at_rest))}},
     };
 }
 

@@ -11,12 +11,12 @@ struct EulerLimit {
 
     template <class Answer>
     static void ask(Paper& paper, const Answer& answer) {
-        ask_one(paper, answer, 3.0, 0.0);    // never
-        ask_one(paper, answer, 3.0, 0.7);    // underdamped
+        ask_one(paper, answer, 3.0, 0.0);  // never
+        ask_one(paper, answer, 3.0, 0.7);  // underdamped
         ask_one(paper, answer, 1.4, 2.1);
-        ask_one(paper, answer, 2.5, 5.0);    // critical
-        ask_one(paper, answer, 3.0, 14.5);   // overdamped
-        ask_one(paper, answer, 0.0, 4.0);    // drag alone
+        ask_one(paper, answer, 2.5, 5.0);   // critical
+        ask_one(paper, answer, 3.0, 14.5);  // overdamped
+        ask_one(paper, answer, 0.0, 4.0);   // drag alone
     }
 
   private:
@@ -83,30 +83,41 @@ namespace nutshell::exercises {
 inline Exercise EulerLimit::about() {
     return {
         .title = "Euler's limit",
-        .hints = {"Euler multiplies each rate's part by 1 + lambda dt every step. Stable means that no part grows. Which two rates has the damped spring?",
-                  "lambda = -g/2 plus or minus the root of g^2/4 - omega^2. Where the root is imaginary, ask when |1 + lambda dt| reaches one; where it is real, ask when the faster rate times dt reaches minus two.",
-                  "Underdamped: |1 + lambda dt|^2 = 1 - g dt + omega^2 dt^2. Overdamped: the faster rate is -(g + root of (g^2 - 4 omega^2))/2, and it must not pass -2/dt."},
+        .hints =
+            {"Euler multiplies each rate's part by 1 + lambda dt every step. Stable means that "
+             "no part grows. Which two rates has the damped spring?",
+             "lambda = -g/2 plus or minus the root of g^2/4 - omega^2. Where the root is "
+             "imaginary, ask when |1 + lambda dt| reaches one; where it is real, ask when the "
+             "faster rate times dt reaches minus two.",
+             "Underdamped: |1 + lambda dt|^2 = 1 - g dt + omega^2 dt^2. Overdamped: the faster "
+             "rate is -(g + root of (g^2 - 4 omega^2))/2, and it must not pass -2/dt."},
         .picture = "regions.svg",
         .mistakes =
-            {{"the limit of drag alone", "classic", "The spring explodes although the drag alone would be stable.",
+            {{"the limit of drag alone", "classic",
+              "The spring explodes although the drag alone would be stable.",
               "You took the limit of the drag without the spring. The spring's rate enters too.",
               attempt<EulerLimit>(NUTSHELL_CALL(mistakes::euler_limit_of_drag_alone))},
              {"the swinging case only", "classic", "A strongly damped spring explodes.",
-              "g/omega^2 holds while the spring swings. Where it creeps, the faster of the two real rates decides, and its limit is smaller.",
+              "g/omega^2 holds while the spring swings. Where it creeps, the faster of the two "
+              "real rates decides, and its limit is smaller.",
               attempt<EulerLimit>(NUTSHELL_CALL(mistakes::euler_limit_of_the_swing_only))},
              {"Verlet's limit", "E04's claim", "A lightly damped spring explodes at once.",
-              "2/omega is the limit of Verlet and of semi-implicit Euler. Euler's is g/omega^2: without drag it has none but zero.",
+              "2/omega is the limit of Verlet and of semi-implicit Euler. Euler's is g/omega^2: "
+              "without drag it has none but zero.",
               attempt<EulerLimit>(NUTSHELL_CALL(mistakes::euler_limit_of_verlet))},
              {"the slow rate", "classic: the wrong root", "A strongly damped spring explodes.",
-              "You took the slower of the two rates. The faster one breaks first: plus before the root.",
+              "You took the slower of the two rates. The faster one breaks first: plus before "
+              "the root.",
               attempt<EulerLimit>(NUTSHELL_CALL(mistakes::euler_limit_of_the_slow_rate))},
-             {"a factor of two", "classic", "The step is twice the stable one, and a lightly damped spring explodes.",
+             {"a factor of two", "classic",
+              "The step is twice the stable one, and a lightly damped spring explodes.",
               "|1 + lambda dt|^2 = 1 - g dt + omega^2 dt^2 is one at dt = g/omega^2.",
               attempt<EulerLimit>(NUTSHELL_CALL(mistakes::euler_limit_doubled))},
              {"1 instead of 2", "classic", "Stable, at twice the cost.",
               "Beyond 1/rate Euler overshoots but comes back. It is unstable only beyond 2/rate.",
               attempt<EulerLimit>(NUTSHELL_CALL(mistakes::euler_limit_half))}},
-        .alternatives = {{"by the rates", attempt<EulerLimit>(NUTSHELL_CALL(alternatives::euler_limit_by_rates))}},
+        .alternatives = {{"by the rates", attempt<EulerLimit>(NUTSHELL_CALL(
+                                              alternatives::euler_limit_by_rates))}},
     };
 }
 

@@ -11,7 +11,14 @@ struct SemiImplicitLimit {
 
     template <class Answer>
     static void ask(Paper& paper, const Answer& answer) {
-        for (const auto& [omega, g] : {std::pair{3.0, 0.0}, {3.0, 0.7}, {1.4, 2.1}, {2.5, 5.0}, {3.0, 14.5}, {1e-5, 4.0}, {1e-9, 4.0}, {0.0, 4.0}}) {
+        for (const auto& [omega, g] : {std::pair{3.0, 0.0},
+                                       {3.0, 0.7},
+                                       {1.4, 2.1},
+                                       {2.5, 5.0},
+                                       {3.0, 14.5},
+                                       {1e-5, 4.0},
+                                       {1e-9, 4.0},
+                                       {0.0, 4.0}}) {
             paper.input("omega", omega, "g", g);
             const double limit = answer(omega, g);
             paper.output("the largest stable step [s]", limit, 1 / (omega + g));
@@ -58,7 +65,11 @@ inline double limit_halved(double omega, double g) {
 namespace nutshell::alternatives {
 
 inline double limit_by_bisection(double omega, double g) {
-    double low = 0, high = 4 / (omega + g);   // trace and determinant of one step: stable while omega^2 dt^2 + 2 g dt < 4
+    double low = 0,
+           high =
+               4 /
+               (omega +
+                g);  // trace and determinant of one step: stable while omega^2 dt^2 + 2 g dt < 4
     for (int turn = 0; turn < 200; ++turn) {
         const double dt = (low + high) / 2;
         (omega * omega * dt * dt + 2 * g * dt < 4 ? low : high) = dt;
@@ -73,33 +84,46 @@ namespace nutshell::exercises {
 inline Exercise SemiImplicitLimit::about() {
     return {
         .title = "Semi-implicit Euler's limit",
-        .hints = {"Write one step as a two by two matrix on x and v. Its determinant and its trace say whether anything grows.",
-                  "With theta = omega dt and G = g dt the determinant is 1 - G and the trace 2 - G - theta^2. It is stable while |trace| stays below 1 + determinant.",
-                  "The condition is theta^2 + 2 G = 4: a quadratic in dt. Write its positive root so that neither g = 0 nor omega = 0 is a division by zero."},
+        .hints = {"Write one step as a two by two matrix on x and v. Its determinant and its "
+                  "trace say whether anything grows.",
+                  "With theta = omega dt and G = g dt the determinant is 1 - G and the trace 2 - "
+                  "G - theta^2. It is stable while |trace| stays below 1 + determinant.",
+                  "The condition is theta^2 + 2 G = 4: a quadratic in dt. Write its positive "
+                  "root so that neither g = 0 nor omega = 0 is a division by zero."},
         .picture = "regions_spring.svg",
         .mistakes =
-            {{"the drag left out", "classic", "A damped spring explodes at a step that was safe without damping.",
+            {{"the drag left out", "classic",
+              "A damped spring explodes at a step that was safe without damping.",
               "2/omega is the limit without drag. Drag in the kick makes it smaller.",
               attempt<SemiImplicitLimit>(NUTSHELL_CALL(mistakes::limit_without_drag))},
              {"implicit drag", "classic: the sign of g", "A damped spring explodes.",
-              "With a plus you have the limit for implicit drag, v/(1 + g dt), which grows with g. With the drag in the kick it shrinks.",
+              "With a plus you have the limit for implicit drag, v/(1 + g dt), which grows with "
+              "g. With the drag in the kick it shrinks.",
               attempt<SemiImplicitLimit>(NUTSHELL_CALL(mistakes::limit_with_implicit_drag))},
              {"the limit of drag alone", "classic", "A stiff spring explodes.",
               "2/g is the limit without spring. Both enter.",
               attempt<SemiImplicitLimit>(NUTSHELL_CALL(mistakes::limit_of_drag_only))},
-             {"no spring is a division by zero", "classic", "Where there is only drag, the step becomes NaN.",
-              "The formula is right, but for omega = 0 it is zero over zero, and near it loses its digits. Multiply above and below by the same sum.",
+             {"no spring is a division by zero", "classic",
+              "Where there is only drag, the step becomes NaN.",
+              "The formula is right, but for omega = 0 it is zero over zero, and near it loses "
+              "its digits. Multiply above and below by the same sum.",
               attempt<SemiImplicitLimit>(NUTSHELL_CALL(mistakes::limit_dividing_by_zero))},
-             {"the digits cancel", "classic: a difference of neighbours", "With much drag and a weak spring the step is noise, or zero.",
-              "The formula is right, and no spring at all is looked after. But for a weak one the root is nearly g, and the difference loses its digits. Multiply above and below by the same sum.",
+             {"the digits cancel", "classic: a difference of neighbours",
+              "With much drag and a weak spring the step is noise, or zero.",
+              "The formula is right, and no spring at all is looked after. But for a weak one "
+              "the root is nearly g, and the difference loses its digits. Multiply above and "
+              "below by the same sum.",
               attempt<SemiImplicitLimit>(NUTSHELL_CALL(mistakes::limit_that_cancels))},
-             {"Euler's limit", "classic", "The step is far smaller than it need be, or zero without drag.",
-              "This is Euler's limit. Semi-implicit Euler kicks first, and its matrix is another.",
+             {"Euler's limit", "classic",
+              "The step is far smaller than it need be, or zero without drag.",
+              "This is Euler's limit. Semi-implicit Euler kicks first, and its matrix is "
+              "another.",
               attempt<SemiImplicitLimit>(NUTSHELL_CALL(mistakes::limit_of_eulers_rates))},
              {"half the limit", "classic: a lost factor", "Stable, at twice the cost.",
               "At theta^2 + 2 G = 4 the root gives 4 over the sum, not 2.",
               attempt<SemiImplicitLimit>(NUTSHELL_CALL(mistakes::limit_halved))}},
-        .alternatives = {{"by bisection", attempt<SemiImplicitLimit>(NUTSHELL_CALL(alternatives::limit_by_bisection))}},
+        .alternatives = {{"by bisection", attempt<SemiImplicitLimit>(
+                                              NUTSHELL_CALL(alternatives::limit_by_bisection))}},
     };
 }
 

@@ -1,4 +1,5 @@
-// What the exercises of chapter 3 that make a step are tried on: a force with drag, of place and time.
+// What the exercises of chapter 3 that make a step are tried on: a force with drag, of place and
+// time.
 #pragma once
 #include <nutshell/exponential.hpp>
 #include "exercise.hpp"
@@ -16,7 +17,9 @@ struct Dragged {
 /// A weight and linear drag, whose motion is known exactly.
 struct Sinking {
     double drag;
-    Vector3 operator()(const PointMass& body, double) const { return body.mass * Vector3(0.4, -9.81, 0.3) - drag * body.velocity; }
+    Vector3 operator()(const PointMass& body, double) const {
+        return body.mass * Vector3(0.4, -9.81, 0.3) - drag * body.velocity;
+    }
 };
 
 /// One step under both forces, for several drags and a mass that is not one.
@@ -26,10 +29,12 @@ void ask_dragged_step(Paper& paper, const Answer& answer) {
     const PointMass body{2.5, {1.1, -0.8, 0.6}, {0.7, 1.3, -0.9}};
     for (const double drag : {0.6, 3.5}) {
         const Dragged forces{drag};
-        paper.input("a point mass, mass [kg]", body.mass, "at", body.position, "with the velocity", body.velocity, "drag", drag, "dt", dt);
+        paper.input("a point mass, mass [kg]", body.mass, "at", body.position,
+                    "with the velocity", body.velocity, "drag", drag, "dt", dt);
         const PointMass moved = answer(body, forces, t, dt);
         const Vector3 gain = forces(body, t) / body.mass * dt;
-        paper.output("the position [m]", moved.position, body.position, body.velocity * dt, gain * dt);
+        paper.output("the position [m]", moved.position, body.position, body.velocity * dt,
+                     gain * dt);
         paper.output("the velocity [m/s]", moved.velocity, body.velocity, gain);
         paper.output("the mass [kg]", moved.mass, body.mass);
     }

@@ -4,7 +4,8 @@
 
 namespace nutshell::wide {
 
-NUTSHELL_WIDE void stream_anchored(std::size_t n, Axes x, Axes v, const double* mass, ConstAxes anchor) {
+NUTSHELL_WIDE void stream_anchored(std::size_t n, Axes x, Axes v, const double* mass,
+                                   ConstAxes anchor) {
     INDEPENDENT
     for (std::size_t i = 0; i < n; ++i) {
         v.x[i] += mass[i], v.y[i] += mass[i], v.z[i] += mass[i];
@@ -20,12 +21,12 @@ NUTSHELL_WIDE void stream_net(std::size_t n, Axes x, Axes v, const double* mass)
     }
 }
 
-// In the three below one number q stands in for every number that a step loads; constants that differ keep
-// the compiler from computing anything once for all three axes. Two additions per turn make one number to
-// store out of three.
+// In the three below one number q stands in for every number that a step loads; constants that
+// differ keep the compiler from computing anything once for all three axes. Two additions per
+// turn make one number to store out of three.
 
-NUTSHELL_WIDE void arithmetic_anchored(std::size_t n, const double* in, double* out, const Medium& medium,
-                                       double stiffness, double dt) {
+NUTSHELL_WIDE void arithmetic_anchored(std::size_t n, const double* in, double* out,
+                                       const Medium& medium, double stiffness, double dt) {
     const auto [gx, gy, gz, drag] = medium;
     const double ax = 1.1, ay = 1.2, az = 1.3, dx = drag, dy = 2 * drag, dz = 3 * drag;
     INDEPENDENT
@@ -38,20 +39,21 @@ NUTSHELL_WIDE void arithmetic_anchored(std::size_t n, const double* in, double* 
     }
 }
 
-NUTSHELL_WIDE void arithmetic_spring(std::size_t n, const double* in, double* out, double rest_length,
-                                     double stiffness) {
+NUTSHELL_WIDE void arithmetic_spring(std::size_t n, const double* in, double* out,
+                                     double rest_length, double stiffness) {
     const double ax = 2.1, ay = 2.2, az = 2.3, fx = 0.1, fy = 0.2, fz = 0.3;
     INDEPENDENT
     for (std::size_t i = 0; i < n; ++i) {
         const double q = in[i], dx = q - ax, dy = q - ay, dz = q - az;
-        const double pull = stiffness * (1 - rest_length / std::sqrt(dx * dx + dy * dy + dz * dz + 1e-300));
+        const double pull =
+            stiffness * (1 - rest_length / std::sqrt(dx * dx + dy * dy + dz * dz + 1e-300));
         const double px = pull * dx, py = pull * dy, pz = pull * dz;
         out[i] = (q + (px - fx)) + (q + (py - fy)) + (q + (pz - fz));
     }
 }
 
-NUTSHELL_WIDE void arithmetic_move(std::size_t n, const double* in, double* out, const Medium& medium,
-                                   double dt) {
+NUTSHELL_WIDE void arithmetic_move(std::size_t n, const double* in, double* out,
+                                   const Medium& medium, double dt) {
     const auto [gx, gy, gz, drag] = medium;
     const double fx = 0.1, fy = 0.2, fz = 0.3, dx = drag, dy = 2 * drag, dz = 3 * drag;
     INDEPENDENT

@@ -138,8 +138,7 @@ inline Eigen::Matrix2d oscillation(double omega, double g, double t) {
         c = std::exp(-d * t) * std::cos(r * t);
         s = std::exp(-d * t) * std::sin(r * t) / r;
     } else {
-        const double slow = std::exp(-omega * omega / (d + r) * t),
-                     fast = std::exp(-(d + r) * t);
+        const double slow = std::exp(-omega * omega / (d + r) * t), fast = std::exp(-(d + r) * t);
         c = (slow + fast) / 2;
         s = -slow * std::expm1(-2 * r * t) / (2 * r);
     }

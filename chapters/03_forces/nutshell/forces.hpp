@@ -32,8 +32,7 @@ struct Spring {
 /// The force [N] of a spring on its end at `end`; the other end gets the opposite. Pulls when
 /// longer than its rest length, pushes when shorter. Where both ends meet, the direction does
 /// not exist and the force is zero (E08). Positions in m, world frame. Source: eq. (18*).
-inline Vector3 spring_force(const Spring& spring, const Vector3& end,
-                            const Vector3& other_end) {
+inline Vector3 spring_force(const Spring& spring, const Vector3& end, const Vector3& other_end) {
     // exercise 3.1
     const Vector3 d = end - other_end;
     const double length = d.norm();
@@ -43,8 +42,7 @@ inline Vector3 spring_force(const Spring& spring, const Vector3& end,
 }
 
 /// Its potential energy [J], zero at rest length. The force is minus its gradient.
-inline double spring_energy(const Spring& spring, const Vector3& end,
-                            const Vector3& other_end) {
+inline double spring_energy(const Spring& spring, const Vector3& end, const Vector3& other_end) {
     const double stretch = (end - other_end).norm() - spring.rest_length;
     return spring.stiffness * stretch * stretch / 2;
 }
@@ -87,9 +85,9 @@ inline Spring checked(const Spring& spring) {
 /// Gives a drag coefficient (gamma [kg/s] or c [kg/m]) back if it is finite and not negative.
 /// @throws std::invalid_argument otherwise: negative drag would feed energy in
 inline double checked_drag(double coefficient) {
-    require(std::isfinite(coefficient) && coefficient >= 0,
-            "a drag coefficient must be finite and not negative, not " +
-                std::to_string(coefficient));
+    require(
+        std::isfinite(coefficient) && coefficient >= 0,
+        "a drag coefficient must be finite and not negative, not " + std::to_string(coefficient));
     return coefficient;
 }
 

@@ -51,8 +51,7 @@ struct FallingInAir {
         const double v = terminal_speed(), x = earth_gravity * t / v;
         const double log_cosh =
             x + std::log1p(std::exp(-2 * x)) - std::log(2.0);  // does not overflow
-        return {
-            start.mass, {0, -v * v / earth_gravity * log_cosh, 0}, {0, -v * std::tanh(x), 0}};
+        return {start.mass, {0, -v * v / earth_gravity * log_cosh, 0}, {0, -v * std::tanh(x), 0}};
     }
     double error(const PointMass& state, double t) const { return distance(state, exact(t)); }
 };

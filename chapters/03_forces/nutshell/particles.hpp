@@ -79,7 +79,8 @@ Vector3Array& operator*=(Vector3Array& vectors, const ByMass<Factor>& factor) {
     return vectors;
 }
 
-/// What drag alone, gamma = `drag` [kg/s], leaves of every velocity after dt [s]: e^(-gamma dt/m).
+/// What drag alone, gamma = `drag` [kg/s], leaves of every velocity after dt [s]: e^(-gamma
+/// dt/m).
 inline auto decay_of(const Particles& all, double drag, double dt) {
     return ByMass{all, [=](double mass) { return std::exp(-drag * dt / mass); }};
 }

@@ -50,8 +50,8 @@ struct Trial {
 /// One step of Dormand-Prince 5(4) from y, where the rate is k1: six new evaluations, two
 /// results. Source: J. R. Dormand and P. J. Prince, J. Comput. Appl. Math. 6 (1980) 19.
 template <class Flat, class Rate>
-inline Trial<Flat> dormand_prince_trial(const Flat& y, const Flat& k1, const Rate& flow,
-                                        double t, double h) {
+inline Trial<Flat> dormand_prince_trial(const Flat& y, const Flat& k1, const Rate& flow, double t,
+                                        double h) {
     const Flat k2 = flow(Flat(y + h * (1. / 5 * k1)), t + h / 5);
     const Flat k3 = flow(Flat(y + h * (3. / 40 * k1 + 9. / 40 * k2)), t + 3 * h / 10);
     const Flat k4 =
@@ -128,8 +128,7 @@ Flat adaptive(Flat y, const Rate& flow, double t0, double t1, Tolerance toleranc
         // The error grows as h^5: this step would have just passed. Aim at nine tenths of it,
         // change with care.
         const double wanted = square > 0 ? 0.9 * std::pow(square, -0.1) : 5;
-        h = step *
-            (std::isfinite(square) ? std::clamp(wanted, 0.2, accepted ? 5.0 : 1.0) : 0.1);
+        h = step * (std::isfinite(square) ? std::clamp(wanted, 0.2, accepted ? 5.0 : 1.0) : 0.1);
         if (!(t + h > t) && t < t1)
             throw std::runtime_error(
                 "adaptive: the step shrank to nothing at t = " + std::to_string(t) +

@@ -47,9 +47,10 @@ double composed_limit(const std::array<double, Count>& weights) {
 
 // [cloth_frequency]
 /// The fastest angular frequency [rad/s] of an endless, flat, unstressed grid of springs between
-/// equal masses [kg]: the fastest of all plane waves. A wave whose phase grows by a from column to
-/// column and by b from row to row stretches a spring along u by the phase between its two ends.
-/// Omega squared is the greater eigenvalue of D, the sum of 2 (1 - cos(phase)) kappa/m u u^T.
+/// equal masses [kg]: the fastest of all plane waves. A wave whose phase grows by a from column
+/// to column and by b from row to row stretches a spring along u by the phase between its two
+/// ends. Omega squared is the greater eigenvalue of D, the sum of 2 (1 - cos(phase)) kappa/m u
+/// u^T.
 /// @param steps  phases tried on each axis
 inline double cloth_frequency(const std::vector<GridSpring>& kinds, double mass,
                               int steps = 720) {

@@ -7,7 +7,8 @@
 
 namespace nutshell {
 
-/// Throws std::invalid_argument with `message` unless `condition` holds. Write what is wrong, where, what to do.
+/// Throws std::invalid_argument with `message` unless `condition` holds. Write what is wrong, where, what to
+/// do.
 inline void require(bool condition, const std::string& message) {
     if (!condition) throw std::invalid_argument(message);
 }

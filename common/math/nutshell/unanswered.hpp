@@ -1,4 +1,5 @@
-// What a body that is still to be written throws. ./course start puts it there; the judge knows it by its type.
+// What a body that is still to be written throws. ./course start puts it there; the judge knows it by its
+// type.
 #pragma once
 
 namespace nutshell {

@@ -8,8 +8,9 @@
 
 namespace nutshell::lab {
 
-/// Writes `text` to `path`: to a temporary file beside it first, then renamed, so a reader never meets half a file.
-/// Makes the folder if it is missing. @throws std::runtime_error with the path and the reason if it cannot be written
+/// Writes `text` to `path`: to a temporary file beside it first, then renamed, so a reader never meets half a
+/// file. Makes the folder if it is missing. @throws std::runtime_error with the path and the reason if it
+/// cannot be written
 void write_file(const std::filesystem::path& path, std::string_view text);
 
 /// Machine, compiler and command, one `# key: value` line each: the first lines of every data file.
@@ -44,7 +45,8 @@ class Report {
     /// Keeps a number for numbers.csv, where the book finds it as NN_name/`name`. Prints nothing.
     void number(const std::string& name, double value, const std::string& unit = "");
     void data(const std::string& file, const Table& table);  ///< writes a CSV with provenance on top
-    /// The path of a result of this name, listed at the end; pictures and charts are written there by their own functions.
+    /// The path of a result of this name, listed at the end; pictures and charts are written there by their
+    /// own functions.
     std::filesystem::path path(const std::string& file);
     const std::string& command() const { return command_; }
     void finish();  ///< writes numbers.csv and lists what was written
@@ -56,8 +58,9 @@ class Report {
     std::vector<std::string> files_;
 };
 
-/// The frame of every chapter's main: reads `--out DIR` (default out/NAME), runs the chapter, and turns an exception
-/// into one line on stderr. @return the exit code: 0, 1 if the chapter failed, 2 if the arguments are wrong
+/// The frame of every chapter's main: reads `--out DIR` (default out/NAME), runs the chapter, and turns an
+/// exception into one line on stderr. @return the exit code: 0, 1 if the chapter failed, 2 if the arguments
+/// are wrong
 int program(int argc, char** argv, const std::string& name, const std::function<void(Report&)>& chapter);
 
 }  // namespace nutshell::lab

@@ -1,15 +1,16 @@
 // The lab's centre: run a scene with a method, and measure what came out.
 //
-// A scene has start, duration, operator()(state, t) for the push, and error(state, t); see a chapter's scenes.
-// A method is a function that makes one step: method(state, forces, t, dt) -> state. Both come in as template
-// parameters, so the compiler sees through them and a measured time is the time of the physics, not of the lab.
+// A scene has start, duration, operator()(state, t) for the push, and error(state, t); see a chapter's
+// scenes. A method is a function that makes one step: method(state, forces, t, dt) -> state. Both come in as
+// template parameters, so the compiler sees through them and a measured time is the time of the physics, not
+// of the lab.
 #pragma once
-#include <nutshell/require.hpp>
 #include <chrono>
 #include <cmath>
 #include <ctime>
 #include <functional>
 #include <limits>
+#include <nutshell/require.hpp>
 #include <string>
 #include <utility>
 #include <vector>
@@ -27,8 +28,8 @@ inline long steps_of(double duration, double dt) {
     return std::lround(steps);
 }
 
-/// Runs `scene` with `steps` equal steps of `method` and calls look(state, t) at the start and after every step.
-/// The method is copied first, so one that remembers starts fresh. @return the last state
+/// Runs `scene` with `steps` equal steps of `method` and calls look(state, t) at the start and after every
+/// step. The method is copied first, so one that remembers starts fresh. @return the last state
 /// @throws std::invalid_argument if steps < 1 or the scene's duration is not finite and greater than zero
 template <class Scene, class Method, class Look>
 auto run(const Scene& scene, Method method, long steps, Look&& look) {
@@ -65,17 +66,18 @@ struct Counted : Scene {
 /// What one run cost and how wrong it was. Errors are in the unit of the scene's need.
 struct Measurement {
     long steps = 0;
-    double dt = 0;              ///< [s]
-    long evaluations = 0;       ///< of the push, in the whole run: the same on every machine
-    double max_error = 0;       ///< the largest at any step's end; infinite if the run left the finite numbers
-    double final_error = 0;     ///< at the end
+    double dt = 0;           ///< [s]
+    long evaluations = 0;    ///< of the push, in the whole run: the same on every machine
+    double max_error = 0;    ///< the largest at any step's end; infinite if the run left the finite numbers
+    double final_error = 0;  ///< at the end
     double seconds_per_second;  ///< processor time per simulated second, NaN until timed
 };
 
 /// Errors and evaluations of one run.
 template <class Scene, class Method>
 Measurement measure(const Scene& scene, const Method& method, long steps) {
-    Measurement m{steps, scene.duration / static_cast<double>(steps), 0, 0, 0, std::numeric_limits<double>::quiet_NaN()};
+    Measurement m{steps, scene.duration / static_cast<double>(steps), 0, 0,
+                  0,     std::numeric_limits<double>::quiet_NaN()};
     const Counted<Scene> counted(scene, m.evaluations);
     run(counted, method, steps, [&](const auto& state, double t) {
         const double error = scene.error(state, t);
@@ -98,7 +100,8 @@ void keep(const Value& value) {
     asm volatile("" : : "g"(&value) : "memory");
 }
 
-/// Processor time of `work()` [s]: the least of `rounds` rounds, each repeated until it lasts `least_seconds`.
+/// Processor time of `work()` [s]: the least of `rounds` rounds, each repeated until it lasts
+/// `least_seconds`.
 template <class Work>
 double time_of(const Work& work, int rounds = 3, double least_seconds = 2e-3) {
     double best = std::numeric_limits<double>::infinity();
@@ -108,7 +111,11 @@ double time_of(const Work& work, int rounds = 3, double least_seconds = 2e-3) {
         for (long i = 0; i < repeats; ++i) work();
         const double took = processor_seconds() - begin;
         if (took < least_seconds) {
-            repeats = took <= 0 ? repeats * 10 : static_cast<long>(static_cast<double>(repeats) * std::min(10.0, 1.2 * least_seconds / took) + 1);
+            repeats =
+                took <= 0
+                    ? repeats * 10
+                    : static_cast<long>(
+                          static_cast<double>(repeats) * std::min(10.0, 1.2 * least_seconds / took) + 1);
             continue;
         }
         best = std::min(best, took / static_cast<double>(repeats));
@@ -118,7 +125,8 @@ double time_of(const Work& work, int rounds = 3, double least_seconds = 2e-3) {
 }
 
 /// How far a quantity strays from its value at the start: the largest distance at any step's end.
-/// `quantity(state)` may be a number or a vector; for a vector the distance is that of the vector, not of its length.
+/// `quantity(state)` may be a number or a vector; for a vector the distance is that of the vector, not of its
+/// length.
 template <class Scene, class Method, class Quantity>
 double largest_change(const Scene& scene, const Method& method, long steps, const Quantity& quantity) {
     const auto first = quantity(scene.start);
@@ -137,7 +145,8 @@ double largest_change(const Scene& scene, const Method& method, long steps, cons
 /// Observed order of convergence: the slope of log(error) against log(dt), by least squares.
 /// @throws std::invalid_argument if fewer than two points, or any is not greater than zero
 inline double observed_order(const std::vector<double>& dts, const std::vector<double>& errors) {
-    require(dts.size() == errors.size() && dts.size() >= 2, "observed_order: needs two or more pairs of dt and error");
+    require(dts.size() == errors.size() && dts.size() >= 2,
+            "observed_order: needs two or more pairs of dt and error");
     double sx = 0, sy = 0, sxx = 0, sxy = 0;
     for (std::size_t i = 0; i < dts.size(); ++i) {
         require_positive(dts[i], "observed_order: dt [s]");
@@ -149,7 +158,8 @@ inline double observed_order(const std::vector<double>& dts, const std::vector<d
     return (n * sxy - sx * sy) / (n * sxx - sx * sx);
 }
 
-/// The step at which stability ends, by bisection between a stable and an unstable step, to the relative width given.
+/// The step at which stability ends, by bisection between a stable and an unstable step, to the relative
+/// width given.
 /// @param stable  asked with a step; must hold at `low` and not at `high`
 /// @throws std::invalid_argument if it does not
 template <class Stable>
@@ -165,15 +175,16 @@ double stability_limit(const Stable& stable, double low, double high, double rel
     return (low + high) / 2;
 }
 
-/// Does a run of `steps` steps of dt stay within `bound`, measured by size(state)? For stability limits: on a linear
-/// scene a method that is stable stays within a constant times the start for ever, one that is not grows exponentially.
+/// Does a run of `steps` steps of dt stay within `bound`, measured by size(state)? For stability limits: on a
+/// linear scene a method that is stable stays within a constant times the start for ever, one that is not
+/// grows exponentially.
 template <class Scene, class Method, class Size>
 bool stays_within(const Scene& scene, Method method, double dt, long steps, double bound, const Size& size) {
     require_positive(dt, "the step dt [s]");
     auto state = scene.start;
     for (long n = 0; n < steps; ++n) {
         state = method(std::move(state), scene, static_cast<double>(n) * dt, dt);
-        if (!(size(state) <= bound)) return false;   // also catches NaN
+        if (!(size(state) <= bound)) return false;  // also catches NaN
     }
     return true;
 }

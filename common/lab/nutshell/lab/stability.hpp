@@ -1,13 +1,14 @@
 // Where a method breaks, predicted: the matrix of one step and the size of its largest eigenvalue.
 // The other half, measured: stability_limit and stays_within in <nutshell/lab/run.hpp>.
 #pragma once
-#include <nutshell/lab/run.hpp>
 #include <Eigen/Core>
+#include <nutshell/lab/run.hpp>
 
 namespace nutshell::lab {
 
-/// The matrix A of one step on a scene that is linear near `rest`: step(rest + u) = step(rest) + A u. Central differences
-/// of `width` along each axis: exact but for round-off if the step is linear, within width^2 if it is only smooth.
+/// The matrix A of one step on a scene that is linear near `rest`: step(rest + u) = step(rest) + A u. Central
+/// differences of `width` along each axis: exact but for round-off if the step is linear, within width^2 if
+/// it is only smooth.
 /// @param step  called with a flat state (Eigen::VectorXd), gives the flat state one step later
 template <class Step>
 Eigen::MatrixXd step_matrix(const Eigen::VectorXd& rest, const Step& step, double width = 1) {

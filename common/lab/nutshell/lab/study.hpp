@@ -1,8 +1,8 @@
 // A study: one scene, several methods, many steps. What work-precision charts and tables are made of.
 #pragma once
+#include <algorithm>
 #include <nutshell/lab/run.hpp>
 #include <nutshell/need.hpp>
-#include <algorithm>
 #include <optional>
 
 namespace nutshell::lab {
@@ -47,11 +47,12 @@ std::vector<Curve> work_precision(const Scene& scene, const std::vector<Entry<Sc
     return curves;
 }
 
-/// The fewest steps with which a method meets the scene's need (maximum error within tolerance), or none up to `most`.
-/// Doubles from `fewest` until it is met, then bisects; found exactly where the error falls steadily with the step.
+/// The fewest steps with which a method meets the scene's need (maximum error within tolerance), or none up
+/// to `most`. Doubles from `fewest` until it is met, then bisects; found exactly where the error falls
+/// steadily with the step.
 template <class Scene>
-std::optional<Measurement> fewest_steps(const Scene& scene, const Entry<Scene>& method, double tolerance, long fewest = 1,
-                                        long most = 10'000'000) {
+std::optional<Measurement> fewest_steps(const Scene& scene, const Entry<Scene>& method, double tolerance,
+                                        long fewest = 1, long most = 10'000'000) {
     long low = 0, high = fewest;
     Measurement found = method.measure(scene, high);
     while (!(found.max_error <= tolerance)) {
@@ -62,8 +63,10 @@ std::optional<Measurement> fewest_steps(const Scene& scene, const Entry<Scene>& 
     while (high - low > 1) {
         const long middle = low + (high - low) / 2;
         const Measurement m = method.measure(scene, middle);
-        if (m.max_error <= tolerance) high = middle, found = m;
-        else low = middle;
+        if (m.max_error <= tolerance)
+            high = middle, found = m;
+        else
+            low = middle;
     }
     return found;
 }
@@ -76,8 +79,8 @@ struct Choice {
 
 /// The fewest steps of every method that meets the scene's need, cheapest first.
 template <class Scene>
-std::vector<Choice> ways_to_meet(const Scene& scene, const std::vector<Entry<Scene>>& methods, long fewest = 1,
-                                 long most = 10'000'000) {
+std::vector<Choice> ways_to_meet(const Scene& scene, const std::vector<Entry<Scene>>& methods,
+                                 long fewest = 1, long most = 10'000'000) {
     std::vector<Choice> choices;
     for (const auto& method : methods)
         if (auto found = fewest_steps(scene, method, scene.need.tolerance, fewest, most)) {
@@ -91,7 +94,8 @@ std::vector<Choice> ways_to_meet(const Scene& scene, const std::vector<Entry<Sce
 
 /// What this machine can do at best, measured in the same run: the yardstick of every time in a chart.
 struct MachineFloor {
-    double multiply_add;  ///< one dependent multiplication and addition [s]: nothing that needs the last result is faster
+    double multiply_add;  ///< one dependent multiplication and addition [s]: nothing that needs the last
+                          ///< result is faster
     double square_root;   ///< one dependent square root and division [s]
 };
 MachineFloor machine_floor();

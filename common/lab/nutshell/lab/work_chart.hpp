@@ -8,8 +8,8 @@ namespace nutshell::lab {
 
 enum class Cost { evaluations, time };
 
-/// A work-precision chart: largest error against cost, with the scene's need as tolerance line and the cheapest way
-/// to meet it ringed. Title, subtitle and guides are the caller's to set.
+/// A work-precision chart: largest error against cost, with the scene's need as tolerance line and the
+/// cheapest way to meet it ringed. Title, subtitle and guides are the caller's to set.
 Chart work_precision_chart(const std::vector<Curve>& curves, const Need& need, Cost cost);
 
 /// The same study as data: method, steps, dt, evaluations, max_error, final_error, seconds_per_second.

@@ -32,7 +32,8 @@ struct Fit {
 Camera fit(const Drawing& drawing, const Eigen::Vector3d& from, Size size = {}, const Fit& how = {});
 
 /// Where a point of the world lies on the picture [pixels, from the top left corner; x right, y down],
-/// and its distance in front of the eye along the view [m] (not positive: not before it, and the pixel means nothing).
+/// and its distance in front of the eye along the view [m] (not positive: not before it, and the pixel means
+/// nothing).
 Eigen::Vector3d project(const Camera& camera, Size size, const Eigen::Vector3d& point);
 
 /// @throws std::invalid_argument if a number is not finite, the eye is the target, up is zero or along the

@@ -1,5 +1,5 @@
-// Colours of pictures: after Okabe and Ito, told apart by colour-blind readers; some a little darker, so that all
-// stand out from the ground in grey too.
+// Colours of pictures: after Okabe and Ito, told apart by colour-blind readers; some a little darker, so that
+// all stand out from the ground in grey too.
 #pragma once
 #include <string_view>
 
@@ -23,8 +23,8 @@ namespace palette {
 inline constexpr Colour explicit_euler{0.835F, 0.369F, 0.000F};  ///< #D55E00
 inline constexpr Colour symplectic{0.000F, 0.588F, 0.427F};      ///< #00966D
 inline constexpr Colour runge_kutta{0.000F, 0.447F, 0.698F};     ///< #0072B2
-inline constexpr Colour implicit{0.643F, 0.275F, 0.522F};         ///< #A44685
-inline constexpr Colour exponential{0.596F, 0.420F, 0.000F};      ///< #986B00
+inline constexpr Colour implicit{0.643F, 0.275F, 0.522F};        ///< #A44685
+inline constexpr Colour exponential{0.596F, 0.420F, 0.000F};     ///< #986B00
 inline constexpr Colour exact{0.200F, 0.220F, 0.250F};           ///< ink: the exact path, drawn as a ghost
 inline constexpr Colour body{0.208F, 0.490F, 0.741F};            ///< a thing of no particular method: blue
 inline constexpr Colour gold{0.945F, 0.690F, 0.180F};            ///< a second thing: gold
