@@ -22,9 +22,11 @@ install(TARGETS ${exported} EXPORT nutshell COMPONENT nutshell
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}/nutshell COMPONENT nutshell
   INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(EXPORT nutshell NAMESPACE nutshell:: DESTINATION ${package_dir} FILE nutshellTargets.cmake COMPONENT nutshell)
-file(GLOB header_rooms CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/common/math/nutshell ${PROJECT_SOURCE_DIR}/chapters/0*_*/nutshell)
+file(GLOB header_rooms CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/common/base/nutshell ${PROJECT_SOURCE_DIR}/common/math/nutshell
+  ${PROJECT_SOURCE_DIR}/chapters/0*_*/nutshell)
 foreach(room ${header_rooms})
-  install(DIRECTORY ${room} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT nutshell FILES_MATCHING PATTERN "*.hpp")
+  install(DIRECTORY ${room} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT nutshell FILES_MATCHING PATTERN "*.hpp"
+    PATTERN write_file.hpp EXCLUDE)
 endforeach()
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/nutshellConfig.cmake.in ${CMAKE_BINARY_DIR}/cmake/nutshellConfig.cmake
   INSTALL_DESTINATION ${package_dir})

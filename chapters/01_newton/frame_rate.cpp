@@ -1,5 +1,5 @@
 // The same throw on machines of different speed, and the game loop that makes them agree.
-#include <nutshell/lab/chart.hpp>
+#include <nutshell/chart/chart.hpp>
 #include <nutshell/lab/run.hpp>
 #include <nutshell/newton_methods.hpp>
 #include <nutshell/newton_scenes.hpp>
@@ -20,13 +20,13 @@ void frame_rate(lab::Report& report) {
     report.heading(
         "Frame rate: one throw, one step a frame, height above the exact path after 3 s");
     lab::Table table{{"rate [Hz]", "Euler [m]", "semi-implicit Euler [m]", "Verlet [m]"}, {}};
-    lab::Chart chart;
+    chart::Chart chart;
     chart.title = "Euler's ball flies higher on a slower machine";
     chart.subtitle = "Thrown ball, one Euler step a frame.";
     chart.x = {"time [s]"};
     chart.y = {"computed minus exact height [m]"};
     for (const int rate : rates) {
-        lab::Series series{std::to_string(rate) + " Hz"};
+        chart::Series series{std::to_string(rate) + " Hz"};
         lab::run(scene, euler_method, 3 * rate, [&](const PointMass& ball, double t) {
             series.x.push_back(t),
                 series.y.push_back((ball.position - scene.exact(t).position).y());
@@ -49,11 +49,11 @@ void frame_rate(lab::Report& report) {
                 "the law of the landing does not hold");
         report.number("frame_rate.landing." + std::to_string(rate),
                       scene.start.velocity.x() * (landing - exact_landing), "m");
-        series.draw = lab::Draw::line;
+        series.draw = chart::Draw::line;
         chart.series.push_back(std::move(series));
     }
     report.print(table);
-    lab::write_svg(chart, report.path("frame_rate.svg"));
+    chart::write_svg(chart, report.path("frame_rate.svg"));
 }
 
 void game_loop(lab::Report& report) {
@@ -89,15 +89,15 @@ void game_loop(lab::Report& report) {
 
     // The spiral of death: a step of 1/60 s of physics that takes the machine 20 ms.
     const double slow_step = 1.0 / 60, cost = 0.020;
-    lab::Chart chart;
+    chart::Chart chart;
     chart.title = "The spiral of death, and the cap that ends it";
     chart.subtitle = "Each step simulates 16.7 ms and costs the machine 20 ms.";
     chart.x = {"frame"};
-    chart.y = {"time the frame takes [s]", lab::Scale::logarithmic};
+    chart.y = {"time the frame takes [s]", chart::Scale::logarithmic};
     double simulated_share = 0;
     for (const int cap : {1'000'000, 5}) {
         GameClock clock{slow_step, 0, cap};
-        lab::Series series{cap == 5 ? "at most 5 steps a frame" : "no cap"};
+        chart::Series series{cap == 5 ? "at most 5 steps a frame" : "no cap"};
         double frame = slow_step, played = 0, real = 0;
         for (int i = 1; i <= 40; ++i) {
             const int made = steps_due(clock, frame);
@@ -106,13 +106,13 @@ void game_loop(lab::Report& report) {
             real += frame;
             series.x.push_back(i), series.y.push_back(frame);
         }
-        series.draw = lab::Draw::line;
+        series.draw = chart::Draw::line;
         if (cap == 5) simulated_share = played / real;
         report.number(cap == 5 ? "spiral.capped_frame" : "spiral.last_frame", series.y.back(),
                       "s");
         chart.series.push_back(std::move(series));
     }
-    lab::write_svg(chart, report.path("spiral_of_death.svg"));
+    chart::write_svg(chart, report.path("spiral_of_death.svg"));
     report.number("spiral.growth", cost / slow_step);
     report.number("spiral.capped_speed", simulated_share);
     report.say("A step that costs 20 ms and simulates 16.7 ms: frame 40 takes " +

@@ -61,11 +61,11 @@ void conservation(lab::Report& report) {
                       "axis turns [rad/orbit]"},
                      {}};
     lab::Table data{{"orbits", "method", "energy_change", "angular_momentum_change"}, {}};
-    lab::Chart energy;
+    chart::Chart energy;
     energy.title = "Who keeps the energy?";
     energy.subtitle = "Planet, e = 0.6, " + std::to_string(steps_an_orbit) + " steps a year.";
-    energy.x = {"years", lab::Scale::linear, 0, 5};
-    energy.y = {"relative change of the energy", lab::Scale::linear, -0.1, 0.5};
+    energy.x = {"years", chart::Scale::linear, 0, 5};
+    energy.y = {"relative change of the energy", chart::Scale::linear, -0.1, 0.5};
     for (const auto& h : histories) {
         table.add({h.name, lab::rounded(h.largest_energy), lab::rounded(h.largest_momentum),
                    h.key == "euler" ? "-" : lab::rounded(h.turn, "%.5f")});
@@ -79,33 +79,33 @@ void conservation(lab::Report& report) {
         for (std::size_t i = 0; i < h.orbits.size(); i += 10)
             data.add({lab::exact_digits(h.orbits[i]), h.name, lab::exact_digits(h.energy[i]),
                       lab::exact_digits(h.momentum[i])});
-        lab::Series series{h.name};
+        chart::Series series{h.name};
         for (std::size_t i = 0; i < h.orbits.size() && h.orbits[i] <= 5; ++i)
             series.x.push_back(h.orbits[i]), series.y.push_back(h.energy[i]);
-        series.draw = lab::Draw::line;
+        series.draw = chart::Draw::line;
         energy.series.push_back(std::move(series));
     }
     report.number("planet.energy_ratio",
                   histories[1].largest_energy / histories[2].largest_energy);
     report.print(table);
     report.data("planet_conservation.csv", data);
-    lab::write_svg(energy, report.path("planet_energy.svg"));
+    chart::write_svg(energy, report.path("planet_energy.svg"));
 }
 
 void orders(lab::Report& report) {
     const Planet scene;
     lab::Table table{{"method", "order by largest error", "order by error after whole orbits"},
                      {}};
-    lab::Chart chart;
+    chart::Chart chart;
     chart.title = "A first-order method in a second-order coat";
     chart.subtitle =
         "Planet, one orbit: the largest error on the way, and the error at the end of the orbit.";
-    chart.x = {"step dt [year/2π]", lab::Scale::logarithmic};
-    chart.y = {"position error [a]", lab::Scale::logarithmic};
+    chart.x = {"step dt [year/2π]", chart::Scale::logarithmic};
+    chart.y = {"position error [a]", chart::Scale::logarithmic};
     chart.guides = {1, 2};
     const auto study = [&](const std::string& name, const std::string& key, const auto& method,
                            long fewest) {
-        lab::Series largest{name + " (largest)"}, at_end{name + " (at the end)"};
+        chart::Series largest{name + " (largest)"}, at_end{name + " (at the end)"};
         largest.style = name;
         for (long steps = fewest; steps <= 8 * fewest; steps *= 2) {
             const auto m = lab::measure(scene, method, steps);
@@ -126,7 +126,7 @@ void orders(lab::Report& report) {
     study("semi-implicit Euler", "semi_implicit", semi_implicit_euler_method, 2000);
     study("Verlet", "verlet", verlet_method, 2000);
     report.print(table);
-    lab::write_svg(chart, report.path("planet_orders.svg"));
+    chart::write_svg(chart, report.path("planet_orders.svg"));
 }
 
 void cost(lab::Report& report) {
@@ -155,12 +155,12 @@ void cost(lab::Report& report) {
         scene, methods(), {300, 600, 1200, 2400, 4800, 9600, 19200, 38400, 76800});
     report.data("planet.csv", lab::work_precision_data(curves));
     for (const auto axis : {lab::Cost::evaluations, lab::Cost::time}) {
-        lab::Chart chart = lab::work_precision_chart(curves, scene.need, axis);
+        chart::Chart chart = lab::work_precision_chart(curves, scene.need, axis);
         chart.title = "Which method gives a pixel for the least work?";
         chart.subtitle = "Planet, e = 0.6, three orbits. Down and left is better.";
         chart.guides = {-1, -2};
-        lab::write_svg(chart, report.path(axis == lab::Cost::evaluations ? "planet.svg"
-                                                                         : "planet_time.svg"));
+        chart::write_svg(chart, report.path(axis == lab::Cost::evaluations ? "planet.svg"
+                                                                           : "planet_time.svg"));
     }
     const auto& finest = curves[2].runs.back();
     const double per_step = finest.seconds_per_second * finest.dt;

@@ -88,11 +88,11 @@ void thrown_ball(lab::Report& report) {
     const auto curves = lab::work_precision(
         scene, methods<ThrownBall>(), {3, 6, 12, 30, 90, 180, 432, 1000, 3000, 10000}, false);
     report.data("throw.csv", lab::work_precision_data(curves));
-    lab::Chart chart = lab::work_precision_chart(curves, scene.need, lab::Cost::evaluations);
+    chart::Chart chart = lab::work_precision_chart(curves, scene.need, lab::Cost::evaluations);
     chart.title = "One method has nothing to improve";
     chart.subtitle = "Thrown ball, 3 s, constant force. Down and left is better.";
     chart.guides = {-1};
-    lab::write_svg(chart, report.path("throw.svg"));
+    chart::write_svg(chart, report.path("throw.svg"));
 }
 
 }  // namespace nutshell

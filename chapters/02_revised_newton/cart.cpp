@@ -81,21 +81,22 @@ void leaky_cart(lab::Report& report) {
                   lab::exact_digits(passenger.speed[i])});
     report.data("cart.csv", data);
 
-    lab::Chart chart;
+    chart::Chart chart;
     chart.title = "One cart, one formula, three observers, three speeds";
     chart.subtitle =
         "Leaky cart, no force. Reading K = m v with F = 0; the truth is the pale line.";
     chart.x = {"time [s]"};
-    chart.y = {"speed over the ground [m/s]", lab::Scale::linear, 8, 22};
-    const auto line = [](std::string name, const Told& told, lab::Draw draw, std::string style) {
-        lab::Series series{std::move(name), told.t, told.speed, draw, std::move(style), {}};
+    chart.y = {"speed over the ground [m/s]", chart::Scale::linear, 8, 22};
+    const auto line = [](std::string name, const Told& told, chart::Draw draw,
+                         std::string style) {
+        chart::Series series{std::move(name), told.t, told.speed, draw, std::move(style), {}};
         return series;
     };
-    chart.series.push_back(line("truth", truth, lab::Draw::ghost, "exact"));
-    chart.series.push_back(line("computed on the ground", ground, lab::Draw::line, ""));
-    chart.series.push_back(line("computed at 4 m/s", walker, lab::Draw::line, ""));
-    chart.series.push_back(line("computed on the cart", passenger, lab::Draw::line, ""));
-    lab::write_svg(chart, report.path("cart.svg"));
+    chart.series.push_back(line("truth", truth, chart::Draw::ghost, "exact"));
+    chart.series.push_back(line("computed on the ground", ground, chart::Draw::line, ""));
+    chart.series.push_back(line("computed at 4 m/s", walker, chart::Draw::line, ""));
+    chart.series.push_back(line("computed on the cart", passenger, chart::Draw::line, ""));
+    chart::write_svg(chart, report.path("cart.svg"));
 }
 
 }  // namespace nutshell

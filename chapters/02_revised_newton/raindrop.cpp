@@ -49,15 +49,15 @@ void raindrop(lab::Report& report) {
     const auto curves = lab::work_precision(drop, methods<Raindrop>(),
                                             {5, 10, 20, 50, 100, 300, 1000, 3000, 10000, 30000});
     report.data("raindrop.csv", lab::work_precision_data(curves));
-    lab::Chart chart = lab::work_precision_chart(curves, drop.need, lab::Cost::evaluations);
+    chart::Chart chart = lab::work_precision_chart(curves, drop.need, lab::Cost::evaluations);
     chart.title = "The printed step works; half a kick works better";
     chart.subtitle = "Raindrop, 4 s through a cloud at rest. Down and left is better.";
     chart.guides = {-1, -2};
-    lab::write_svg(chart, report.path("raindrop.svg"));
-    lab::Chart time = lab::work_precision_chart(curves, drop.need, lab::Cost::time);
+    chart::write_svg(chart, report.path("raindrop.svg"));
+    chart::Chart time = lab::work_precision_chart(curves, drop.need, lab::Cost::time);
     time.title = "The same in processor time";
     time.subtitle = chart.subtitle;
-    lab::write_svg(time, report.path("raindrop_time.svg"));
+    chart::write_svg(time, report.path("raindrop_time.svg"));
 }
 
 }  // namespace nutshell

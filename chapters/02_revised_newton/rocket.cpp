@@ -17,12 +17,12 @@ double gain_in_parcels(double ratio, long n, bool midway_parcels) {
 }
 
 void gain_chart(lab::Report& report) {
-    lab::Chart chart;
+    chart::Chart chart;
     chart.title = "The gain depends on one thing: the mass ratio";
     chart.subtitle = "Rocket without gravity. Marks: few and many parcels. Formula: u ln(m₀/m).";
-    chart.x = {"mass before over mass after, m₀/m", lab::Scale::logarithmic, 1, 20};
-    chart.y = {"speed gained, in exhaust speeds", lab::Scale::linear, 0, 4};
-    lab::Series five{"5 parcels"}, fifty{"50 parcels"}, formula{"formula"};
+    chart.x = {"mass before over mass after, m₀/m", chart::Scale::logarithmic, 1, 20};
+    chart.y = {"speed gained, in exhaust speeds", chart::Scale::linear, 0, 4};
+    chart::Series five{"5 parcels"}, fifty{"50 parcels"}, formula{"formula"};
     lab::Table data{{"mass_ratio", "parcels_5", "parcels_50", "formula"}, {}};
     for (const double ratio :
          {1.25, 1.6, 2.0, 2.5, 3.2, 4.0, 5.0, 6.4, 8.0, 10.0, 13.0, 16.0, 20.0}) {
@@ -36,10 +36,10 @@ void gain_chart(lab::Report& report) {
         const double ratio = std::exp(std::log(20.0) * i / 60);
         formula.x.push_back(ratio), formula.y.push_back(rocket_gain(1, ratio, 1));
     }
-    formula.draw = lab::Draw::theory;
+    formula.draw = chart::Draw::theory;
     chart.levels_y = {{1, "as fast as its exhaust"}};
     chart.series = {formula, five, fifty};
-    lab::write_svg(chart, report.path("rocket_gain.svg"));
+    chart::write_svg(chart, report.path("rocket_gain.svg"));
     report.data("rocket_gain.csv", data);
 }
 
@@ -84,14 +84,14 @@ void rocket(lab::Report& report) {
     const auto curves =
         lab::work_precision(before, ways, {1, 3, 10, 30, 100, 300, 1000, 3000, 10000}, false);
     report.data("rocket.csv", lab::work_precision_data(curves));
-    lab::Chart chart = lab::work_precision_chart(curves, before.need, lab::Cost::evaluations);
+    chart::Chart chart = lab::work_precision_chart(curves, before.need, lab::Cost::evaluations);
     chart.title = "Both balance the books to the last digit";
     chart.subtitle =
         "Rocket. Each parcel measured from the speed before it leaves, or from the mean.";
     chart.x.name = "parcels";
     chart.y.name = "largest error of the speed, over the whole gain";
     chart.guides = {-1, -2};
-    lab::write_svg(chart, report.path("rocket.svg"));
+    chart::write_svg(chart, report.path("rocket.svg"));
     gain_chart(report);
 }
 
@@ -128,21 +128,21 @@ void launch(lab::Report& report) {
     const auto curves =
         lab::work_precision(scene, entries, {3, 10, 30, 100, 300, 1000, 3000, 10000});
     report.data("launch.csv", lab::work_precision_data(curves));
-    lab::Chart chart = lab::work_precision_chart(curves, scene.need, lab::Cost::evaluations);
+    chart::Chart chart = lab::work_precision_chart(curves, scene.need, lab::Cost::evaluations);
     chart.title = "A chain is as good as its worst link";
     chart.subtitle =
         "Launch under gravity, 1.5 s. Second order needs Verlet and midway parcels, both.";
     chart.guides = {-1, -2};
-    lab::write_svg(chart, report.path("launch.svg"));
+    chart::write_svg(chart, report.path("launch.svg"));
 }
 
 namespace {
 
 /// Runs rocket and exhaust, keeps one component of each momentum, and draws the books.
 double books_of(lab::Report& report, const Rocket& flight, Eigen::Index axis,
-                const std::string& file, lab::Chart chart) {
+                const std::string& file, chart::Chart chart) {
     const RocketBooks books{flight};
-    lab::Series rocket{"rocket"}, exhaust{"exhaust"}, total{"total"}, law{"P₀ + m₀ g t"};
+    chart::Series rocket{"rocket"}, exhaust{"exhaust"}, total{"total"}, law{"P₀ + m₀ g t"};
     lab::Table data{{"t", "rocket", "exhaust", "total", "law"}, {}};
     double worst = 0;
     lab::run(books, verlet_method, 300, [&](const RocketAndExhaust& all, double t) {
@@ -156,11 +156,11 @@ double books_of(lab::Report& report, const Rocket& flight, Eigen::Index axis,
                   lab::exact_digits(exhaust.y.back()), lab::exact_digits(total.y.back()),
                   lab::exact_digits(law.y.back())});
     });
-    law.draw = lab::Draw::ghost, law.style = "exact";
-    rocket.draw = exhaust.draw = total.draw = lab::Draw::line;
+    law.draw = chart::Draw::ghost, law.style = "exact";
+    rocket.draw = exhaust.draw = total.draw = chart::Draw::line;
     chart.series = {law, rocket, exhaust, total};
     report.data(file + ".csv", data);
-    lab::write_svg(chart, report.path(file + ".svg"));
+    chart::write_svg(chart, report.path(file + ".svg"));
     return worst;
 }
 
@@ -168,7 +168,7 @@ double books_of(lab::Report& report, const Rocket& flight, Eigen::Index axis,
 
 void momentum_books(lab::Report& report) {
     report.heading("The books of momentum: rocket and exhaust, 300 parcels");
-    lab::Chart chart;
+    chart::Chart chart;
     chart.x = {"time [s]"};
     chart.y = {"momentum along the flight [kg m/s]"};
     chart.title = "What the rocket gains, the exhaust loses";

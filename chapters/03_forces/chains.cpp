@@ -1,7 +1,7 @@
 // A chain and a cloth: how they hang, how close that is to the exact shape, and the step at which
 // they fly apart.
+#include <nutshell/chart/chart.hpp>
 #include <nutshell/hanging_chain.hpp>
-#include <nutshell/lab/chart.hpp>
 #include <nutshell/picture/picture.hpp>
 #include "method_limits.hpp"
 #include "scale.hpp"
@@ -121,13 +121,13 @@ void hang_a_chain(lab::Report& report) {
                " m from the elastic catenary, " + lab::rounded(cosh_gap) + " m from the cosh");
     draw_chain(report, hung, chain, error, cosh_gap, net.duration / steps);
 
-    lab::Chart chart;
+    chart::Chart chart;
     chart.title = "With more links: the elastic catenary, not the cosh";
     chart.subtitle = "a cord of 1 kg, 3 m long at rest, between ends 2 m apart, cut into links";
-    chart.x = {"links", lab::Scale::logarithmic};
-    chart.y = {"largest gap between the rest shapes [m]", lab::Scale::logarithmic};
+    chart.x = {"links", chart::Scale::logarithmic};
+    chart.y = {"largest gap between the rest shapes [m]", chart::Scale::logarithmic};
     chart.guides = {-1, -2};
-    lab::Series elastic{"to the elastic catenary"}, cosh{"to the cosh"};
+    chart::Series elastic{"to the elastic catenary"}, cosh{"to the cosh"};
     lab::Table gaps{{"links", "gap_to_elastic_catenary_m", "gap_to_cosh_m"}, {}};
     std::vector<double> shares;
     for (std::size_t links = 4; links <= 1024; links *= 2) {
@@ -146,7 +146,7 @@ void hang_a_chain(lab::Report& report) {
                lab::rounded(order, "%.3f") + " in 1/links");
     chart.series = {elastic, cosh};
     report.data("chain_gap.csv", gaps);
-    lab::write_svg(chart, report.path("chain_gap.svg"));
+    chart::write_svg(chart, report.path("chain_gap.svg"));
 }
 
 // --- limits

@@ -119,12 +119,12 @@ inline void draw_study(lab::Report& report, const std::string& file,
     for (auto& curve : curves)
         std::erase_if(curve.runs, [&](const auto& run) { return !(run.max_error <= lost); });
     for (const auto cost : {lab::Cost::evaluations, lab::Cost::time}) {
-        lab::Chart chart = lab::work_precision_chart(curves, need, cost);
+        chart::Chart chart = lab::work_precision_chart(curves, need, cost);
         chart.title = title;
         chart.subtitle = subtitle;
         chart.guides = guides;
         chart.height = 520;
-        lab::write_svg(
+        chart::write_svg(
             chart, report.path(file + (cost == lab::Cost::evaluations ? ".svg" : "_time.svg")));
     }
 }

@@ -31,20 +31,20 @@ void slowing_down(lab::Report& report) {
             return linear_drag_force(drag, body.velocity);
         }
     };
-    lab::Chart chart;
+    chart::Chart chart;
     chart.title = "The same drag, four steps";
     chart.subtitle =
         "Velocity of a body that only drag slows, over its start. x = γ dt/m, one step each "
         "unit.";
-    chart.x = {"steps", lab::Scale::linear, 0, 16};
-    chart.y = {"velocity over its start", lab::Scale::linear, -2.5, 2.5};
+    chart.x = {"steps", chart::Scale::linear, 0, 16};
+    chart.y = {"velocity over its start", chart::Scale::linear, -2.5, 2.5};
     lab::Table data{{"method", "x", "step", "velocity"}, {}};
     const auto follow = [&](const std::string& name, const std::string& style, auto method,
                             double x) {
         const Slowing scene{{1, {0, 0, 0}, {1, 0, 0}}, x};
         PointMass body = scene.start;
-        lab::Series series{name};
-        series.style = style, series.draw = lab::Draw::line_and_marks;
+        chart::Series series{name};
+        series.style = style, series.draw = chart::Draw::line_and_marks;
         for (int n = 0; n <= 16; ++n) {
             series.x.push_back(n), series.y.push_back(body.velocity.x());
             data.add(
@@ -58,7 +58,7 @@ void slowing_down(lab::Report& report) {
     follow("stale drag, x = 1.1", "printed step", mistakes::StaleEuler{}, 1.1);
     follow("exponential kick, x = 1.5", "exponential kick", exponential_kick_method, 1.5);
     report.data("slowing.csv", data);
-    lab::write_svg(chart, report.path("slowing.svg"));
+    chart::write_svg(chart, report.path("slowing.svg"));
 }
 
 }  // namespace

@@ -10,9 +10,9 @@ namespace nutshell {
 void announce_comparison(lab::Report& report) {
     for (const std::string scene : {"S2", "S2d", "S3", "S5"}) {
         std::filesystem::path file = report.path("odeint_" + scene + ".txt");
-        lab::write_file(file, "command: " + report.command() +
-                                  "\nnot drawn: the comparison with Boost.odeint was not made in "
-                                  "this run. It needs Boost (Debian: libboost-dev)\n");
+        write_file(file, "command: " + report.command() +
+                             "\nnot drawn: the comparison with Boost.odeint was not made in "
+                             "this run. It needs Boost (Debian: libboost-dev)\n");
         std::filesystem::remove(file.replace_extension(".svg"));
     }
 }

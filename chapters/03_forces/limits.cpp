@@ -54,10 +54,10 @@ constexpr int grid = 141;
 /// |one step| - 1 over the plane of z = lambda dt, by making the step: y' = lambda y as a
 /// rotation and a stretch.
 template <class Method>
-lab::Region general_region(const std::string& name, Method method, double left, double right,
-                           double top) {
+chart::Region general_region(const std::string& name, Method method, double left, double right,
+                             double top) {
     using Flat = Eigen::Vector2d;
-    lab::Region region{name, left, right, -top, top, grid, grid, {}, name};
+    chart::Region region{name, left, right, -top, top, grid, grid, {}, name};
     for (int i = 0; i < grid; ++i)
         for (int j = 0; j < grid; ++j) {
             const double a = left + (right - left) * j / (grid - 1),
@@ -71,9 +71,9 @@ lab::Region general_region(const std::string& name, Method method, double left, 
 }
 
 /// The border |R(z)| = 1: follow R(z) = e^(i phi) from z = 0 until it comes back.
-lab::Series border(Complex (*amplification)(Complex)) {
-    lab::Series line;
-    line.draw = lab::Draw::theory;
+chart::Series border(Complex (*amplification)(Complex)) {
+    chart::Series line;
+    line.draw = chart::Draw::theory;
     Complex z = 0;
     for (int n = 0; n < 40 * 60; ++n) {
         const Complex target = std::polar(1.0, 2 * pi * n / 60);
@@ -89,11 +89,11 @@ lab::Series border(Complex (*amplification)(Complex)) {
 }
 
 void general_regions(lab::Report& report) {
-    lab::Chart chart;
+    chart::Chart chart;
     chart.title = "Where a step is stable";
     chart.subtitle = "Filled: measured, one step of y' = λy. Dashed: theory, |R(z)| = 1.";
-    chart.x = {"Re λ dt", lab::Scale::linear, -4, 0.8};
-    chart.y = {"Im λ dt", lab::Scale::linear, -3.2, 3.2};
+    chart.x = {"Re λ dt", chart::Scale::linear, -4, 0.8};
+    chart.y = {"Im λ dt", chart::Scale::linear, -3.2, 3.2};
     chart.equal_aspect = true;
     chart.height = 640;
     chart.regions = {
@@ -109,16 +109,16 @@ void general_regions(lab::Report& report) {
     for (auto* amplification : {Amplification::dormand_prince, Amplification::rk4,
                                 Amplification::midpoint, Amplification::euler})
         chart.series.push_back(border(amplification));
-    lab::write_svg(chart, report.path("regions.svg"));
+    chart::write_svg(chart, report.path("regions.svg"));
 }
 
 /// The same for kick-and-drift methods: z and its mirror image are the two rates of a damped
 /// spring with omega dt = |z| and g dt = -2 Re z; the value is the largest eigenvalue of one
 /// step, less 1.
 template <class Method>
-lab::Region spring_region(const std::string& style, const Method& method) {
+chart::Region spring_region(const std::string& style, const Method& method) {
     const double left = -2.4, right = 0.6, top = 2.6;
-    lab::Region region{"", left, right, 0, top, grid, grid, {}, style};
+    chart::Region region{"", left, right, 0, top, grid, grid, {}, style};
     for (int i = 0; i < grid; ++i)
         for (int j = 0; j < grid; ++j) {
             const Complex z(left + (right - left) * j / (grid - 1), top * i / (grid - 1));
@@ -137,9 +137,9 @@ lab::Region spring_region(const std::string& style, const Method& method) {
 
 /// A border given as theta = omega dt for each G = g dt, drawn where the spring is underdamped.
 template <class Theta>
-lab::Series spring_border(double most_drag, const Theta& theta) {
-    lab::Series line;
-    line.draw = lab::Draw::theory;
+chart::Series spring_border(double most_drag, const Theta& theta) {
+    chart::Series line;
+    line.draw = chart::Draw::theory;
     std::vector<std::pair<double, double>> upper;
     for (int n = 0; n <= 400; ++n) {
         const double G = most_drag * n / 400, square = theta(G) * theta(G) - G * G / 4;
@@ -150,12 +150,12 @@ lab::Series spring_border(double most_drag, const Theta& theta) {
 }
 
 void spring_regions(lab::Report& report) {
-    lab::Chart chart;
+    chart::Chart chart;
     chart.title = "A damped spring, kicked and drifted";
     chart.subtitle =
         "Filled: measured, the largest eigenvalue of one step. Dashed: the closed forms.";
-    chart.x = {"Re λ dt", lab::Scale::linear, -2.4, 0.6};
-    chart.y = {"Im λ dt", lab::Scale::linear, 0, 2.6};
+    chart.x = {"Re λ dt", chart::Scale::linear, -2.4, 0.6};
+    chart.y = {"Im λ dt", chart::Scale::linear, 0, 2.6};
     chart.equal_aspect = true;
     chart.regions = {spring_region("Verlet, naive", verlet_method),
                      spring_region("exponential Verlet", exponential_verlet_method),
@@ -174,7 +174,7 @@ void spring_regions(lab::Report& report) {
     name(1.0, semi_implicit, "semi-implicit Euler");
     name(2.6, exponential, "exponential Verlet");
     name(1.6, naive, "Verlet, naive");
-    lab::write_svg(chart, report.path("regions_spring.svg"));
+    chart::write_svg(chart, report.path("regions_spring.svg"));
 }
 
 }  // namespace

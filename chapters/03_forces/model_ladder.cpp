@@ -56,13 +56,13 @@ constexpr double ball_radius = 0.1;  // [m]: who would see less?
 
 void model_ladder(lab::Report& report) {
     report.heading("Model ladder: a ball of 1 kg and 10 cm radius, thrown");
-    lab::Chart chart;
+    chart::Chart chart;
     chart.title = "How much model does a throw need?";
     chart.subtitle = "Largest distance from the throw with quadratic drag, over the flight.";
-    chart.x = {"speed of the throw [m/s]", lab::Scale::logarithmic};
-    chart.y = {"distance from the truth [m]", lab::Scale::logarithmic};
-    chart.tolerance = lab::Level{ball_radius, "the ball's own radius"};
-    lab::Series none{"no drag"}, fitted{"linear drag"};
+    chart.x = {"speed of the throw [m/s]", chart::Scale::logarithmic};
+    chart.y = {"distance from the truth [m]", chart::Scale::logarithmic};
+    chart.tolerance = chart::Level{ball_radius, "the ball's own radius"};
+    chart::Series none{"no drag"}, fitted{"linear drag"};
     lab::Table data{{"speed", "flight", "no_drag_off", "linear_off"}, {}};
     for (const double speed : {1.0, 2.0, 3.0, 5.0, 7.0, 10.0, 14.0, 20.0, 30.0, 40.0}) {
         const Case truth = in_air(speed);
@@ -73,7 +73,7 @@ void model_ladder(lab::Report& report) {
     }
     chart.series = {none, fitted};
     report.data("ladder.csv", data);
-    lab::write_svg(chart, report.path("ladder.svg"));
+    chart::write_svg(chart, report.path("ladder.svg"));
 
     const double full = ThrowInAir{}.start.velocity.norm();
     const Case truth = in_air(full);

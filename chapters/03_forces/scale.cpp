@@ -1,7 +1,7 @@
 // How long one step of one particle takes, from ten particles to a million, and how far that is
 // from what the machine can.
 #include "scale.hpp"
-#include <nutshell/lab/chart.hpp>
+#include <nutshell/chart/chart.hpp>
 #include <nutshell/spring_limits.hpp>
 #include "step_times.hpp"
 
@@ -15,15 +15,15 @@ struct Kind {
 };
 
 void draw_time_against_number(lab::Report& report, const std::vector<Kind>& kinds) {
-    lab::Chart chart;
+    chart::Chart chart;
     chart.title = "What one step of one particle costs";
     chart.subtitle =
         "semi-implicit Euler in one pass, one core; down is better; dashed: the machine's floor "
         "for each";
-    chart.x = {"particles", lab::Scale::logarithmic};
-    chart.y = {"time per particle-step [ns]", lab::Scale::logarithmic};
+    chart.x = {"particles", chart::Scale::logarithmic};
+    chart.y = {"time per particle-step [ns]", chart::Scale::logarithmic};
     for (const Kind& kind : kinds) {
-        lab::Series one{kind.name}, floor{"", {}, {}, lab::Draw::theory};
+        chart::Series one{kind.name}, floor{"", {}, {}, chart::Draw::theory};
         for (const Times& t : kind.times) {
             const auto n = static_cast<double>(t.particles);
             one.x.push_back(n), one.y.push_back(t.one_pass);
@@ -32,17 +32,17 @@ void draw_time_against_number(lab::Report& report, const std::vector<Kind>& kind
         }
         chart.series.push_back(one), chart.series.push_back(floor);
     }
-    lab::write_svg(chart, report.path("scale.svg"));
+    chart::write_svg(chart, report.path("scale.svg"));
 }
 
 void draw_against_floor(lab::Report& report, const std::vector<Kind>& kinds) {
-    lab::Chart chart;
+    chart::Chart chart;
     chart.title = "The same verbs, one pass";
     chart.subtitle =
         "semi-implicit Euler, one core: force, kick and drift one after the other, or all in one "
         "pass over "
         "memory";
-    chart.x = {"time per particle-step [ns]", lab::Scale::linear, 0};
+    chart.x = {"time per particle-step [ns]", chart::Scale::linear, 0};
     for (const Kind& kind : kinds)
         for (const std::size_t n :
              std::vector<std::size_t>{std::size_t{1000}, std::size_t{1'000'000}}) {
@@ -67,7 +67,7 @@ void draw_against_floor(lab::Report& report, const std::vector<Kind>& kinds) {
             report.number("scale." + word + ".one_pass_over_floor",
                           near->one_pass / near->floor());
         }
-    lab::write_svg(chart, report.path("scale_floor.svg"));
+    chart::write_svg(chart, report.path("scale_floor.svg"));
 }
 
 /// A cloth of one size and mass, finer and finer: more points, and smaller steps.
@@ -76,14 +76,14 @@ void finer_cloth(lab::Report& report, const std::vector<Times>& times) {
                      part_of_limit = 0.9;  // [m], [kg], [N/m]
     lab::Table data{{"points along a side", "points", "steps_per_second", "seconds_per_second"},
                     {}};
-    lab::Chart chart;
+    chart::Chart chart;
     chart.title = "A finer cloth costs more twice";
     chart.subtitle =
         "2 m x 2 m, semi-implicit Euler at 0.9 of its limit: more points, and smaller steps";
-    chart.x = {"points along a side", lab::Scale::logarithmic};
-    chart.y = {"processor time per simulated second [s/s]", lab::Scale::logarithmic};
+    chart.x = {"points along a side", chart::Scale::logarithmic};
+    chart.y = {"processor time per simulated second [s/s]", chart::Scale::logarithmic};
     chart.tolerance = {1, "as fast as the clock, on one core"};
-    lab::Series cost{"", {}, {}, lab::Draw::line_and_marks, "semi-implicit Euler"};
+    chart::Series cost{"", {}, {}, chart::Draw::line_and_marks, "semi-implicit Euler"};
     double finest_in_time = 0;
     for (const Times& t : times) {
         const double n = std::sqrt(static_cast<double>(t.particles)),
@@ -113,7 +113,7 @@ void finer_cloth(lab::Report& report, const std::vector<Times>& times) {
     report.number("cloth.finer.in_time", finest_in_time);
     report.number("cloth.finer.million", cost.y[last], "s");
     report.data("finer_cloth.csv", data);
-    lab::write_svg(chart, report.path("finer_cloth.svg"));
+    chart::write_svg(chart, report.path("finer_cloth.svg"));
     report.say("cost of a finer cloth grows as (points along a side)^" +
                lab::rounded(slope, "%.2f") + "; " + lab::rounded(finest_in_time, "%.0f") +
                " along a side still run as fast as the clock");

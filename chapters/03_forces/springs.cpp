@@ -41,10 +41,10 @@ std::vector<lab::Entry<MassOnSpring>> damped_methods(const MassOnSpring& scene) 
 
 /// The energy over its start, once a step, at omega dt = theta.
 template <class Step, class Energy>
-lab::Series energies(const std::string& name, double theta, double periods, Step step,
-                     const Energy& energy) {
-    lab::Series series{name};
-    series.draw = lab::Draw::line;
+chart::Series energies(const std::string& name, double theta, double periods, Step step,
+                       const Energy& energy) {
+    chart::Series series{name};
+    series.draw = chart::Draw::line;
     const auto steps = static_cast<long>(periods * 2 * pi / theta);
     const double first = energy();
     for (long n = 0; n <= steps; ++n, step())
@@ -55,11 +55,11 @@ lab::Series energies(const std::string& name, double theta, double periods, Step
 
 void energy_of_ten_periods(lab::Report& report, const MassOnSpring& scene) {
     const double theta = 0.5, dt = theta / scene.omega();
-    lab::Chart chart;
+    chart::Chart chart;
     chart.title = "Who keeps the energy?";
     chart.subtitle = "Mass on a spring, ω dt = 0.5 (about 13 steps a period).";
-    chart.x = {"periods", lab::Scale::linear, 0, 10};
-    chart.y = {"energy over its start", lab::Scale::linear, 0, 2};
+    chart.x = {"periods", chart::Scale::linear, 0, 10};
+    chart.y = {"energy over its start", chart::Scale::linear, 0, 2};
     const auto kick_drift = [&](const std::string& name, auto method) {
         PointMass s = scene.start;
         chart.series.push_back(energies(
@@ -87,23 +87,23 @@ void energy_of_ten_periods(lab::Report& report, const MassOnSpring& scene) {
         report.number("energy." + key_of(series.name) + ".highest", high);
         report.number("energy." + key_of(series.name) + ".end", series.y.back());
     }
-    lab::write_svg(chart, report.path("spring_energy.svg"));
+    chart::write_svg(chart, report.path("spring_energy.svg"));
 }
 
 void overflow(lab::Report& report) {
     MassOnSpring scene;
     scene.stiffness = 1;  // omega = 1 rad/s, energy 1/2 J
     const double theta = 0.1, dt = theta / scene.omega(), periods_a_step = theta / (2 * pi);
-    lab::Chart chart;
+    chart::Chart chart;
     chart.title = "How a game ends in NaN";
     chart.subtitle =
         "Mass on a spring, Euler at ω dt = 0.1: every step multiplies the energy by 1.01.";
-    chart.x = {"periods", lab::Scale::linear, 0, 2400};
-    chart.y = {"decimal exponent", lab::Scale::linear, 0, 320};
+    chart.x = {"periods", chart::Scale::linear, 0, 2400};
+    chart.y = {"decimal exponent", chart::Scale::linear, 0, 320};
     chart.levels_y = {{std::log10(std::numeric_limits<double>::max()), "the largest double"}};
-    lab::Series energy{"energy"}, amplitude{"amplitude"};
+    chart::Series energy{"energy"}, amplitude{"amplitude"};
     energy.style = "Euler", amplitude.style = "Euler, amplitude";
-    energy.draw = amplitude.draw = lab::Draw::line;
+    energy.draw = amplitude.draw = chart::Draw::line;
     lab::Table data{{"periods", "energy_over_start", "amplitude"}, {}};
     PointMass s = scene.start;
     const double first = scene.energy(s);
@@ -132,7 +132,7 @@ void overflow(lab::Report& report) {
                " periods, the state after " +
                lab::rounded(static_cast<double>(state_gone) * periods_a_step, "%.0f") + ".");
     report.data("overflow.csv", data);
-    lab::write_svg(chart, report.path("overflow.svg"));
+    chart::write_svg(chart, report.path("overflow.svg"));
 }
 
 template <class Methods>

@@ -2,16 +2,16 @@
 
 namespace nutshell::lab {
 
-Chart work_precision_chart(const std::vector<Curve>& curves, const Need& need, Cost cost) {
-    Chart chart;
+chart::Chart work_precision_chart(const std::vector<Curve>& curves, const Need& need, Cost cost) {
+    chart::Chart chart;
     chart.x = {
         cost == Cost::evaluations ? "evaluations of the force" : "processor time per simulated second [s]",
-        Scale::logarithmic};
-    chart.y = {"largest error [" + need.unit + "]", Scale::logarithmic};
-    chart.tolerance = Level{need.tolerance, need.reason};
+        chart::Scale::logarithmic};
+    chart.y = {"largest error [" + need.unit + "]", chart::Scale::logarithmic};
+    chart.tolerance = chart::Level{need.tolerance, need.reason};
     chart.ring_cheapest = true;
     for (const auto& curve : curves) {
-        Series series{curve.method};
+        chart::Series series{curve.method};
         for (const auto& run : curve.runs) {
             series.x.push_back(cost == Cost::evaluations ? static_cast<double>(run.evaluations)
                                                          : run.seconds_per_second);

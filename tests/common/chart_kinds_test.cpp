@@ -1,5 +1,5 @@
 // Regions, planes and bars are drawn to scale, and charts that cannot be drawn are refused in words.
-#include <nutshell/lab/chart.hpp>
+#include <nutshell/chart/chart.hpp>
 
 #include <cstdio>
 #include <filesystem>
@@ -11,7 +11,7 @@
 #include "check.hpp"
 #include "svg_reader.hpp"
 
-using namespace nutshell::lab;
+using namespace nutshell::chart;
 
 namespace {
 

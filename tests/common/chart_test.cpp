@@ -1,5 +1,5 @@
 // Charts: what is drawn is there, readable, inside the picture, and the same every time.
-#include <nutshell/lab/chart.hpp>
+#include <nutshell/chart/chart.hpp>
 
 #include <clocale>
 #include <filesystem>
@@ -11,7 +11,7 @@
 #include "check.hpp"
 #include "svg_reader.hpp"
 
-using namespace nutshell::lab;
+using namespace nutshell::chart;
 
 namespace {
 

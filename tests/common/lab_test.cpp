@@ -120,9 +120,9 @@ TEST_CASE("a file is written whole, with provenance on top, or not at all") {
     long files = 0;
     for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator(folder)) ++files;
     CHECK(files == 1);  // no temporary file left
-    CHECK_THROWS_WITH(lab::write_file("/proc/nutshell/x.csv", "x"), ContainsSubstring("/proc/nutshell"));
+    CHECK_THROWS_WITH(write_file("/proc/nutshell/x.csv", "x"), ContainsSubstring("/proc/nutshell"));
     std::filesystem::create_directories(folder / "is_a_folder" / "x");
-    CHECK_THROWS_WITH(lab::write_file(folder / "is_a_folder", "x"), ContainsSubstring("is_a_folder"));
+    CHECK_THROWS_WITH(write_file(folder / "is_a_folder", "x"), ContainsSubstring("is_a_folder"));
     std::filesystem::remove_all(folder);
 }
 

@@ -1,12 +1,12 @@
 // The one table of looks: colour says the family, mark and dash the member, and all of it can be told apart.
-#include <nutshell/lab/style.hpp>
+#include <nutshell/chart/style.hpp>
 
 #include <array>
 #include <map>
 
 #include "check.hpp"
 
-using namespace nutshell::lab;
+using namespace nutshell::chart;
 
 namespace {
 

@@ -68,7 +68,8 @@ std::vector<std::string> compiler_words(const Rooms& rooms) {
                              "-DEIGEN_INITIALIZE_MATRICES_BY_NAN", "-DNUTSHELL_SHEET", "-Werror=return-type"})
         words.emplace_back(flag);
     for (const auto& folder : lines_of(CONFIG_EIGEN_FOLDERS)) words.insert(words.end(), {"-isystem", folder});
-    words.push_back("-I" + (rooms.course / "common/math").string());
+    for (const char* room : {"common/base", "common/math"})
+        words.push_back("-I" + (rooms.course / room).string());
     return words;
 }
 

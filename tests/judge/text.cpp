@@ -17,7 +17,7 @@ std::string read_text(const std::filesystem::path& path) {
 }
 
 void write_text(const std::filesystem::path& path, std::string_view text) {
-    lab::write_file(path, text);
+    write_file(path, text);
 }
 
 std::vector<std::string> lines_of(std::string_view text) {

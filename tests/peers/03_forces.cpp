@@ -6,9 +6,9 @@
 #include <boost/numeric/odeint/stepper/symplectic_rkn_sb3a_m4_mclachlan.hpp>
 #include <cstring>
 #include <iostream>
+#include <nutshell/chart/chart.hpp>
 #include <nutshell/forces_methods.hpp>
 #include <nutshell/forces_scenes.hpp>
-#include <nutshell/lab/chart.hpp>
 #include <nutshell/lab/output.hpp>
 #include <nutshell/lab/run.hpp>
 #include <nutshell/log_hamiltonian.hpp>
@@ -303,13 +303,13 @@ double behind(const Point& theirs, const std::vector<Point>& all, double round_o
 template <class Scene>
 bool compare(const Scene& scene, const std::vector<Point>& all, const std::filesystem::path& folder,
              const std::string& command, lab::Table& data) {
-    lab::Chart chart;
+    chart::Chart chart;
     chart.title = "Against Boost.odeint (grey): " + scene.name;
     chart.subtitle = "The same compiler, flags and run. Down and left is better.";
-    chart.x = {"processor time of the run [s]", lab::Scale::logarithmic};
+    chart.x = {"processor time of the run [s]", chart::Scale::logarithmic};
     chart.y = {
         std::string(scene.final_error_only ? "error at the end [" : "largest error [") + scene.unit + "]",
-        lab::Scale::logarithmic};
+        chart::Scale::logarithmic};
     chart.height = 520;
     chart.levels_y = {{scene.round_off, "round-off: below, chance decides"}};
     double worst = 0;
@@ -333,9 +333,9 @@ bool compare(const Scene& scene, const std::vector<Point>& all, const std::files
             }
         }
     }
-    lab::write_svg(chart, folder / ("odeint_" + scene.id + ".svg"));
-    lab::write_file(folder / ("odeint_" + scene.id + ".txt"),
-                    "command: " + command + "\nscene: " + scene.name + "\n");
+    chart::write_svg(chart, folder / ("odeint_" + scene.id + ".svg"));
+    write_file(folder / ("odeint_" + scene.id + ".txt"),
+               "command: " + command + "\nscene: " + scene.name + "\n");
     std::cout << "  " << scene.id << ", " << scene.name
               << ": where we are nearest to odeint, our best method takes " << worst
               << " of its time for the same error or less\n";
@@ -424,7 +424,7 @@ int main(int argc, char** argv) try {
         std::cout << "    the same RK4, ours over theirs: " << rk4 << " of the time\n";
         ahead &= rk4 < margin;
     }
-    lab::write_file(folder / "odeint.csv", lab::provenance(command) + data.csv());
+    write_file(folder / "odeint.csv", lab::provenance(command) + data.csv());
     return check && !ahead ? 1 : 0;
 } catch (const std::exception& problem) {
     std::cerr << "peers_03_forces: " << problem.what() << '\n';

@@ -2,16 +2,12 @@
 #pragma once
 #include <filesystem>
 #include <functional>
+#include <nutshell/write_file.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace nutshell::lab {
-
-/// Writes `text` to `path`: to a temporary file beside it first, then renamed, so a reader never meets half a
-/// file. Makes the folder if it is missing. @throws std::runtime_error with the path and the reason if it
-/// cannot be written
-void write_file(const std::filesystem::path& path, std::string_view text);
 
 /// Machine, compiler and command, one `# key: value` line each: the first lines of every data file.
 std::string provenance(const std::string& command);

@@ -15,7 +15,7 @@ struct Entry {
     std::function<double(const Scene&, long steps)> seconds;       ///< processor time of one whole run [s]
 };
 
-/// Puts a method on the list for a scene. `name` as in <nutshell/lab/style.hpp>: it decides colour and mark.
+/// Puts a method on the list for a scene. `name` as in <nutshell/chart/style.hpp>: it decides colour and mark.
 template <class Scene, class Method>
 Entry<Scene> entry(std::string name, Method method) {
     return {std::move(name),

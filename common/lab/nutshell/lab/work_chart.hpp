@@ -1,6 +1,6 @@
 // From a study to its chart and its table, the same in every chapter.
 #pragma once
-#include <nutshell/lab/chart.hpp>
+#include <nutshell/chart/chart.hpp>
 #include <nutshell/lab/output.hpp>
 #include <nutshell/lab/study.hpp>
 
@@ -10,7 +10,7 @@ enum class Cost { evaluations, time };
 
 /// A work-precision chart: largest error against cost, with the scene's need as tolerance line and the
 /// cheapest way to meet it ringed. Title, subtitle and guides are the caller's to set.
-Chart work_precision_chart(const std::vector<Curve>& curves, const Need& need, Cost cost);
+chart::Chart work_precision_chart(const std::vector<Curve>& curves, const Need& need, Cost cost);
 
 /// The same study as data: method, steps, dt, evaluations, max_error, final_error, seconds_per_second.
 Table work_precision_data(const std::vector<Curve>& curves);

@@ -22,7 +22,7 @@
 #include <string>
 #include <vector>
 
-namespace nutshell::lab {
+namespace nutshell::chart {
 
 enum class Scale { linear, logarithmic };
 
@@ -121,4 +121,4 @@ std::string svg(const Chart& chart);
 /// written
 void write_svg(const Chart& chart, const std::filesystem::path& path);
 
-}  // namespace nutshell::lab
+}  // namespace nutshell::chart

@@ -1,23 +1,10 @@
 // One look for each method on every chart: colour is the method's family, mark and dash its member.
 #pragma once
+#include <nutshell/look.hpp>
 #include <string>
 #include <string_view>
 
-namespace nutshell::lab {
-
-enum class Family {
-    explicit_one_step,  ///< Euler
-    symplectic,         ///< semi-implicit Euler, Verlet, Yoshida 4, Kahan-Li 8
-    runge_kutta,        ///< explicit midpoint, RK4, Dormand-Prince 5(4)
-    implicit,           ///< implicit Euler, implicit midpoint
-    exponential,        ///< exponential kicks, Magnus
-    exact,              ///< exact, exact propagator
-    peer,               ///< other engines, all grey
-    reference,          ///< theory, the machine's floor
-    plain               ///< not a method: "30 Hz", "60 Hz"
-};
-
-enum class Mark { circle, square, triangle, diamond, triangle_down, star, plus, cross };
+namespace nutshell::chart {
 
 /// How one series looks. Each colour has a contrast of at least 4.5 with its paper, so its name can be
 /// written in it.
@@ -38,4 +25,4 @@ Style style_of(std::string_view name, int plain_number = 0);
 /// True if `name` (or what stands before its comma or bracket) is in the course's table of methods.
 bool is_method(std::string_view name);
 
-}  // namespace nutshell::lab
+}  // namespace nutshell::chart

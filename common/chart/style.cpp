@@ -1,10 +1,10 @@
-#include <nutshell/lab/style.hpp>
+#include <nutshell/chart/style.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cctype>
 
-namespace nutshell::lab {
+namespace nutshell::chart {
 namespace {
 
 struct Colours {
@@ -129,4 +129,4 @@ Style style_of(std::string_view name, int plain_number) {
             dark,          plain_dashes[n % plain_dashes.size()]};
 }
 
-}  // namespace nutshell::lab
+}  // namespace nutshell::chart

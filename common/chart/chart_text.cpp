@@ -7,7 +7,7 @@
 
 #include "chart_parts.hpp"
 
-namespace nutshell::lab::parts {
+namespace nutshell::chart::parts {
 namespace {
 
 // Advance widths of Lato Bold, thousandths of its size, for the characters 32 to 126.
@@ -157,4 +157,4 @@ double width_of_markup(std::string_view markup, double size) {
     return text_width(shown, size);
 }
 
-}  // namespace nutshell::lab::parts
+}  // namespace nutshell::chart::parts

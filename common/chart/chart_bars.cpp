@@ -4,7 +4,7 @@
 
 #include "chart_parts.hpp"
 
-namespace nutshell::lab::parts {
+namespace nutshell::chart::parts {
 namespace {
 
 constexpr double row = 40, thick = 18;
@@ -75,4 +75,4 @@ std::string draw_bars(const Chart& chart, double& width, double& height, double 
     return out;
 }
 
-}  // namespace nutshell::lab::parts
+}  // namespace nutshell::chart::parts

@@ -4,7 +4,7 @@
 
 #include "chart_parts.hpp"
 
-namespace nutshell::lab::parts {
+namespace nutshell::chart::parts {
 namespace {
 
 constexpr double room = 0.04;  // left free at each end of an automatic range, as a part of it
@@ -258,4 +258,4 @@ std::string draw_grid(const Chart& chart, const Frame& frame) {
     return out + zero;
 }
 
-}  // namespace nutshell::lab::parts
+}  // namespace nutshell::chart::parts

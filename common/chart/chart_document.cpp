@@ -4,7 +4,7 @@
 
 #include "chart_parts.hpp"
 
-namespace nutshell::lab::parts {
+namespace nutshell::chart::parts {
 namespace {
 
 struct Rule {
@@ -73,4 +73,4 @@ std::string document(const Chart& chart, const std::string& id, double width, do
            "' height='" + h + "'/>\n" + body + "</svg>\n";
 }
 
-}  // namespace nutshell::lab::parts
+}  // namespace nutshell::chart::parts

@@ -5,7 +5,7 @@
 
 #include "chart_parts.hpp"
 
-namespace nutshell::lab::parts {
+namespace nutshell::chart::parts {
 namespace {
 
 /// Places middles in the given order: the least sum of squared moves from the anchors that keeps labels apart
@@ -177,4 +177,4 @@ std::string draw_label(const Label& label, double x) {
     return out;
 }
 
-}  // namespace nutshell::lab::parts
+}  // namespace nutshell::chart::parts

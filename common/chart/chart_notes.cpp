@@ -6,7 +6,7 @@
 
 #include "chart_parts.hpp"
 
-namespace nutshell::lab::parts {
+namespace nutshell::chart::parts {
 namespace {
 
 constexpr double off_border = 6;  // text keeps this far from the plot's border
@@ -214,4 +214,4 @@ std::string draw_rings(const Chart& chart, const Frame& frame, Obstacles& obstac
     return out;
 }
 
-}  // namespace nutshell::lab::parts
+}  // namespace nutshell::chart::parts

@@ -1,5 +1,5 @@
 // A chart from data to SVG: checks at the door, where things go, and the document round the drawing.
-#include <nutshell/lab/output.hpp>
+#include <nutshell/write_file.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 
 #include "chart_parts.hpp"
 
-namespace nutshell::lab {
+namespace nutshell::chart {
 namespace parts {
 namespace {
 
@@ -296,4 +296,4 @@ void write_svg(const Chart& chart, const std::filesystem::path& path) {
     write_file(path, svg(named));
 }
 
-}  // namespace nutshell::lab
+}  // namespace nutshell::chart

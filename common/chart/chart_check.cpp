@@ -4,7 +4,7 @@
 
 #include "chart_parts.hpp"
 
-namespace nutshell::lab::parts {
+namespace nutshell::chart::parts {
 namespace {
 
 std::string number_of(std::size_t n) {
@@ -93,4 +93,4 @@ void refuse(const Chart& chart, const std::string& what) {
     throw std::invalid_argument("chart \"" + (chart.name.empty() ? chart.title : chart.name) + "\": " + what);
 }
 
-}  // namespace nutshell::lab::parts
+}  // namespace nutshell::chart::parts

@@ -1,11 +1,11 @@
 // The parts a chart is made of; used by chart*.cpp only. Lengths are units of the picture, y downwards.
 #pragma once
-#include <nutshell/lab/chart.hpp>
-#include <nutshell/lab/style.hpp>
+#include <nutshell/chart/chart.hpp>
+#include <nutshell/chart/style.hpp>
 
 #include <string_view>
 
-namespace nutshell::lab::parts {
+namespace nutshell::chart::parts {
 
 struct Point {
     double x = 0, y = 0;
@@ -182,4 +182,4 @@ std::string document(const Chart& chart, const std::string& id, double width, do
 void check(const Chart& chart);
 [[noreturn]] void refuse(const Chart& chart, const std::string& what);
 
-}  // namespace nutshell::lab::parts
+}  // namespace nutshell::chart::parts

@@ -6,7 +6,7 @@
 
 #include "chart_parts.hpp"
 
-namespace nutshell::lab::parts {
+namespace nutshell::chart::parts {
 namespace {
 
 /// The grid with a ring of outside nodes laid on its border, so that every contour closes.
@@ -175,4 +175,4 @@ std::optional<Box> place_inside(const Chart& chart, std::size_t index, const Fra
     return best;
 }
 
-}  // namespace nutshell::lab::parts
+}  // namespace nutshell::chart::parts

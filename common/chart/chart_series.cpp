@@ -4,7 +4,7 @@
 
 #include "chart_parts.hpp"
 
-namespace nutshell::lab::parts {
+namespace nutshell::chart::parts {
 namespace {
 
 constexpr std::size_t most_marked = 40;  // above this a series is a line without marks
@@ -208,4 +208,4 @@ std::string draw_series(const Chart& chart, const Series& series, const Trace& t
     return out;
 }
 
-}  // namespace nutshell::lab::parts
+}  // namespace nutshell::chart::parts
