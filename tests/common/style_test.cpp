@@ -6,6 +6,7 @@
 
 #include "check.hpp"
 
+using namespace nutshell;
 using namespace nutshell::chart;
 
 namespace {
