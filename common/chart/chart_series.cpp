@@ -99,13 +99,16 @@ std::string draw_arrow(const Chart& chart, const Series& series, const Arrow& ar
 std::vector<Style> styles_of(const Chart& chart) {
     std::vector<Style> styles;
     int plain = 0;
-    const auto add = [&](const std::string& name, const std::string& style) {
-        const std::string& look = style.empty() ? name : style;
-        styles.push_back(style_of(look, is_method(look) ? 0 : plain++));
+    const auto add = [&](const auto& shown) {
+        const std::string& name = shown.style.empty() ? shown.name : shown.style;
+        if (shown.look)
+            styles.push_back(style_of(*shown.look));
+        else
+            styles.push_back(is_method(name) ? style_of(name) : plain_style(plain++));
     };
-    for (const Series& series : chart.series) add(series.name, series.style);
-    for (const Region& region : chart.regions) add(region.name, region.style);
-    for (const Bar& bar : chart.bars) add(bar.name, bar.style);
+    for (const Series& series : chart.series) add(series);
+    for (const Region& region : chart.regions) add(region);
+    for (const Bar& bar : chart.bars) add(bar);
     return styles;
 }
 

@@ -1,4 +1,5 @@
 #include <nutshell/chart/style.hpp>
+#include <nutshell/palette.hpp>
 
 #include <algorithm>
 #include <array>
@@ -6,31 +7,6 @@
 
 namespace nutshell::chart {
 namespace {
-
-struct Colours {
-    const char *light, *dark;
-};
-
-// Okabe and Ito's hues, shifted in lightness until each has a contrast of 4.5 with its paper and all stay
-// apart for readers who do not see red or green (a test measures both).
-Colours colours_of(Family family) {
-    switch (family) {
-        case Family::explicit_one_step:
-            return {"#C44E00", "#F5875A"};  // vermillion
-        case Family::symplectic:
-            return {"#00804D", "#30D893"};  // bluish green
-        case Family::runge_kutta:
-            return {"#0068C4", "#35B0FF"};  // blue
-        case Family::implicit:
-            return {"#8A1F74", "#F373D8"};  // reddish purple
-        case Family::exponential:
-            return {"#6B4E00", "#E8C430"};  // yellow
-        case Family::peer:
-            return {"#6B7178", "#99A1AB"};  // grey
-        default:
-            return {"#1D2126", "#ECEFF3"};  // the colour of the text
-    }
-}
 
 struct Member {
     const char* name;  // lower case, plain hyphens
@@ -77,8 +53,8 @@ constexpr std::array members{
 };
 
 // Steps from deep to light for what is counted or graded ("30 Hz", "60 Hz"), each with its own mark and dash.
-constexpr std::array plain_colours{Colours{"#2D2466", "#DCD3FF"}, Colours{"#4F3A9E", "#BDA9FF"},
-                                   Colours{"#7A52C7", "#9C82F5"}};
+constexpr std::array plain_colours{Shades{"#2D2466", "#DCD3FF"}, Shades{"#4F3A9E", "#BDA9FF"},
+                                   Shades{"#7A52C7", "#9C82F5"}};
 constexpr std::array plain_marks{Mark::circle,  Mark::square,        Mark::triangle,
                                  Mark::diamond, Mark::triangle_down, Mark::star};
 constexpr std::array plain_dashes{"", "9 4", "3 3", "14 4", "12 3 3 3", "5 3"};
@@ -109,6 +85,18 @@ std::string_view before_its_addition(std::string_view name) {
 
 }  // namespace
 
+Style style_of(const Look& look) {
+    const auto [light, dark] = shades_of(look.family);
+    return {look.family, look.mark, look.hollow, light, dark, look.dash};
+}
+
+Style plain_style(int number) {
+    const auto n = static_cast<std::size_t>(number < 0 ? 0 : number);
+    const auto [light, dark] = plain_colours[n % plain_colours.size()];
+    return {Family::plain, plain_marks[n % plain_marks.size()],  n / plain_marks.size() % 2 == 1, light,
+            dark,          plain_dashes[n % plain_dashes.size()]};
+}
+
 bool is_method(std::string_view name) {
     const std::string letters = plain_letters(name);
     return find(letters) || find(before_its_addition(letters));
@@ -120,13 +108,10 @@ Style style_of(std::string_view name, int plain_number) {
     const bool variant = !member;
     if (variant) member = find(before_its_addition(letters));
     if (member) {
-        const auto [light, dark] = colours_of(member->family);
+        const auto [light, dark] = shades_of(member->family);
         return {member->family, member->mark, variant, light, dark, variant ? "1.5 3" : member->dash};
     }
-    const auto n = static_cast<std::size_t>(plain_number < 0 ? 0 : plain_number);
-    const auto [light, dark] = plain_colours[n % plain_colours.size()];
-    return {Family::plain, plain_marks[n % plain_marks.size()],  n / plain_marks.size() % 2 == 1, light,
-            dark,          plain_dashes[n % plain_dashes.size()]};
+    return plain_style(plain_number);
 }
 
 }  // namespace nutshell::chart

@@ -1,7 +1,7 @@
 // Pictures and their notes on disk.
 #include <cstdio>
-#include <fstream>
 #include <iostream>
+#include <nutshell/write_file.hpp>
 
 #include "nutshell/picture/image.hpp"
 #include "png.hpp"
@@ -11,23 +11,6 @@ namespace nutshell::picture {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Whole or not at all: written under another name in the same folder, then renamed.
-void write_file(const fs::path& file, const std::string& bytes) {
-    const fs::path half = fs::path(file) += ".part";
-    std::error_code problem;
-    if (file.has_parent_path()) fs::create_directories(file.parent_path(), problem);
-    std::ofstream out(half, std::ios::binary);
-    out.write(bytes.data(), std::streamsize(bytes.size()));
-    out.close();
-    if (out) {
-        fs::rename(half, file, problem);
-        if (!problem) return;
-    }
-    fs::remove(half, problem);
-    throw std::runtime_error("cannot write " + file.string() +
-                             ": is the folder there, writable and not full?");
-}
 
 std::string number(double value) {
     char digits[40];

@@ -18,6 +18,7 @@
 #pragma once
 #include <filesystem>
 #include <limits>
+#include <nutshell/look.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -52,6 +53,7 @@ struct Series {
     Draw draw = Draw::as_suits;
     std::string style = {};               ///< look like this method; empty = like `name`
     std::vector<std::string> notes = {};  ///< for the tooltips, one a point: "dt = 1/60 s"
+    std::optional<Look> look = {};        ///< of the method it is; none = no method: the next plain style
 };
 
 /// A value on an axis with a meaning: drawn as a thin line across the chart, its reason written on it.
@@ -75,6 +77,7 @@ struct Region {
     std::vector<double> values =
         {};                  ///< row by row from the bottom, each from the left; not finite = outside
     std::string style = {};  ///< look like this method; empty = like `name`
+    std::optional<Look> look = {};
 };
 
 /// One row of a bar chart: a bar from zero on a linear axis, a dot on a logarithmic one.
@@ -85,6 +88,7 @@ struct Bar {
         automatic;  ///< the least the machine could do: a tick; the ratio is written at the bar's end
     std::string style = {};  ///< look like this method; empty = like `name`
     std::string text = {};   ///< at the bar's end; empty = the value and its ratio to the floor
+    std::optional<Look> look = {};
 };
 
 struct Chart {

@@ -17,7 +17,13 @@ struct Style {
     std::string dash = {};   ///< SVG stroke-dasharray, empty = solid
 };
 
-/// The look of a method. Case and the kind of hyphen do not matter. "Verlet, naive" or "Verlet (naive)" is a
+/// A look with its colours.
+Style style_of(const Look& look);
+
+/// The style of what is no method ("30 Hz", "60 Hz"): each of the first twelve numbers has its own.
+Style plain_style(int number);
+
+/// (Until every series carries a Look.) The look of a method. Case and the kind of hyphen do not matter. "Verlet, naive" or "Verlet (naive)" is a
 /// variant of Verlet: its colour and mark, hollow and finely dashed. A name that is no method gets the plain
 /// style of this number.
 Style style_of(std::string_view name, int plain_number = 0);
