@@ -146,6 +146,11 @@ Drawing& Drawing::sun(const Vector3d& direction) {
     return *this;
 }
 
+Drawing& Drawing::stage(const Extent& ball) {
+    stage_ = ball;
+    return *this;
+}
+
 Drawing& Drawing::title(std::string text) {
     title_ = std::move(text);
     return *this;

@@ -113,21 +113,20 @@ std::vector<unsigned char> Canvas::pixels() const {
 ShadowMap::ShadowMap(int side) : side_(side) {
     glGenTextures(1, &depths_);
     glBindTexture(GL_TEXTURE_2D, depths_);
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, side, side, 0, GL_DEPTH_COMPONENT, GL_FLOAT,
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, side, side, 0, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT,
                  nullptr);
     for (int filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER}) {
         glTexParameteri(GL_TEXTURE_2D, GLenum(filter), GL_LINEAR);
     }
     for (int edge : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T}) {
-        glTexParameteri(GL_TEXTURE_2D, GLenum(edge), GL_CLAMP_TO_BORDER);
+        glTexParameteri(GL_TEXTURE_2D, GLenum(edge), GL_CLAMP_TO_EDGE);  // sun_view leaves air: lit
     }
-    const float lit[] = {1, 1, 1, 1};
-    glTexParameterfv(GL_TEXTURE_2D, GL_TEXTURE_BORDER_COLOR, lit);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
     glGenFramebuffers(1, &frame_);
     glBindFramebuffer(GL_FRAMEBUFFER, frame_);
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depths_, 0);
-    glDrawBuffer(GL_NONE);
+    const GLenum none = GL_NONE;
+    glDrawBuffers(1, &none);
     glReadBuffer(GL_NONE);
 }
 

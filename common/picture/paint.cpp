@@ -36,6 +36,16 @@ class Painter {
 
     Image paint() {
         const gl::Canvas canvas(int(samples_.x()), int(samples_.y()));
+        draw_on(canvas);
+        const std::vector<unsigned char> samples = canvas.pixels();
+        if (const GLenum error = glGetError(); error != GL_NO_ERROR) {
+            throw std::runtime_error("picture: OpenGL error " + std::to_string(error));
+        }
+        return average(samples);
+    }
+
+    template <class Target>
+    void draw_on(const Target& canvas) {
         const gl::ShadowMap shadows(quality_.shadow_map);
         const Triangles& list = pieces_.triangles();
         const gl::Buffer things(list.vertices.data(), list.vertices.size() * sizeof(Vertex), {3, 3},
@@ -59,11 +69,6 @@ class Painter {
         paint_trails(false);
         things.use();
         paint_ghosts();
-        const std::vector<unsigned char> samples = canvas.pixels();
-        if (const GLenum error = glGetError(); error != GL_NO_ERROR) {
-            throw std::runtime_error("picture: OpenGL error " + std::to_string(error));
-        }
-        return average(samples);
     }
 
   private:
@@ -156,6 +161,7 @@ class Painter {
         program.set("grid_u", Vector3f(grid.u.cast<float>()));
         program.set("grid_v", Vector3f(grid.v.cast<float>()));
         program.set("grid_offset", Eigen::Vector2f(offset(grid.u), offset(grid.v)));
+        program.set("samples", double(quality_.samples));
         program.set("squares", frame_.unit / spacing);
         glDrawArrays(GL_TRIANGLES, 0, 6);
     }
@@ -338,6 +344,18 @@ class Painter {
 
 Image paint(Studio& studio, const Drawing& drawing, const Camera& camera, Size size, const Quality& quality) {
     return Painter(studio, drawing, camera, size, quality).paint();
+}
+
+void draw(Studio& studio, const Drawing& drawing, const Camera& camera, Size size, const Quality& quality) {
+    struct Screen {
+        Size size;
+        void use() const {
+            glBindFramebuffer(GL_FRAMEBUFFER, 0);
+            glViewport(0, 0, size.width, size.height);  // in samples
+        }
+    };
+    const int n = quality.samples;
+    Painter(studio, drawing, camera, size, quality).draw_on(Screen{{n * size.width, n * size.height}});
 }
 
 }  // namespace nutshell::picture

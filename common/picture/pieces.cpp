@@ -8,6 +8,7 @@ namespace nutshell::picture {
 using Eigen::Matrix3d, Eigen::Vector3d, Eigen::Vector3f;
 
 Frame frame_of(const Drawing& drawing, const Camera& camera) {
+    if (drawing.stage()) return {drawing.stage()->centre, drawing.stage()->radius};
     const double least = 0.05 * (camera.eye - camera.target).norm();
     const std::vector<Extent> extents = drawing.extents();
     if (extents.empty()) return {camera.target, 0.4 * (camera.eye - camera.target).norm()};

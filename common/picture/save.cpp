@@ -3,7 +3,7 @@
 #include <iostream>
 #include <nutshell/write_file.hpp>
 
-#include "nutshell/picture/image.hpp"
+#include "nutshell/picture/save.hpp"
 #include "png.hpp"
 
 namespace nutshell::picture {

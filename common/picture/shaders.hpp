@@ -1,5 +1,5 @@
-// The programs that OpenGL runs. Lengths are in units of the drawing's radius, so nothing depends on its
-// scale.
+// The programs that OpenGL runs: one text for OpenGL 3.3 and, but for its first line, for WebGL2. Lengths are
+// in units of the drawing's radius, so nothing depends on its scale.
 #pragma once
 
 namespace nutshell::picture::shaders {
@@ -30,6 +30,7 @@ uniform vec3 sun, up;
 uniform sampler2DShadow shadow_map;
 float sunlight(vec3 place, vec3 normal) {
     vec3 at = (shadow_view * vec4(place + shadow_lift * normal, 1.0)).xyz;
+    at.z = min(at.z, 1.0);   // a depth map of floats does not do it by itself
     float sum = 0.0;
     for (int i = -1; i <= 1; ++i)
         for (int j = -1; j <= 1; ++j) sum += texture(shadow_map, vec3(at.xy + vec2(i, j) * shadow_step, at.z));
@@ -71,17 +72,18 @@ in vec3 world, facing;
 uniform vec3 colour, horizon, focus, grid_u, grid_v;
 uniform vec2 grid_offset;          // of the world's origin, in squares, modulo ten
 uniform float squares;             // in one unit of length
+uniform float samples;             // of a pixel along each side
 out vec4 pixel;
 float lines(vec2 at, float width) {
     vec2 size = max(fwidth(at), 1e-6);
     vec2 away = abs(fract(at - 0.5) - 0.5) / size;
-    vec2 ink = clamp(0.5 * width + 0.5 - away, 0.0, 1.0) * (1.0 - smoothstep(0.12, 0.35, size));
+    vec2 ink = clamp(0.5 * width + 0.5 - away, 0.0, 1.0) * (1.0 - smoothstep(0.24, 0.70, samples * size));
     return max(ink.x, ink.y);
 }
 void main() {
     vec2 at = vec2(dot(world, grid_u), dot(world, grid_v)) * squares + grid_offset;
     float distance = length(world - focus), near = exp(-0.045 * distance * distance);
-    float ink = max(0.50 * lines(at, 2.2), 0.85 * lines(at / 5.0, 3.0));
+    float ink = max(0.50 * lines(at, 1.1 * samples), 0.85 * lines(at / 5.0, 1.5 * samples));
     float lit = sunlight(world, up);
     vec3 light = mix(horizon, colour, near);
     light *= mix(vec3(1.0), vec3(0.60, 0.63, 0.68), ink * near);
@@ -112,31 +114,32 @@ inline constexpr const char* trail_vertex = R"(#version 330 core
 layout(location = 0) in vec4 place;
 layout(location = 1) in vec2 ribbon;
 layout(location = 2) in vec4 colour;
-noperspective out vec2 at;
+out vec2 at;   // times w: straight on the picture, not in space
 out vec4 tint;
 void main() {
-    at = ribbon;
+    at = ribbon * place.w;
     tint = colour;
     gl_Position = place;
 })";
 inline constexpr const char* trail_fragment = R"(#version 330 core
-noperspective in vec2 at;
+in vec2 at;
 in vec4 tint;
 uniform float half_width, dash, gap;   // dash 0: solid
 out vec4 pixel;
 void main() {
-    float ink = clamp(half_width + 0.5 - abs(at.x), 0.0, 1.0);
-    if (dash > 0.0) ink *= clamp(0.5 * dash + 0.5 - abs(mod(at.y, dash + gap) - 0.5 * dash), 0.0, 1.0);
+    float ink = clamp(half_width + 0.5 - abs(at.x * gl_FragCoord.w), 0.0, 1.0);
+    float along = mod(at.y * gl_FragCoord.w, dash + gap);
+    if (dash > 0.0) ink *= clamp(0.5 * dash + 0.5 - abs(along - 0.5 * dash), 0.0, 1.0);
     pixel = vec4(pow(tint.rgb, vec3(1.0 / 2.2)), tint.a * ink);
 })";
 
 /// The glow round what shines, on a square.
 inline constexpr const char* glow_fragment = R"(#version 330 core
-noperspective in vec2 at;
+in vec2 at;
 in vec4 tint;
 out vec4 pixel;
 void main() {
-    float fade = max(1.0 - length(at), 0.0);
+    float fade = max(1.0 - length(at * gl_FragCoord.w), 0.0);
     pixel = vec4(pow(tint.rgb, vec3(1.0 / 2.2)), tint.a * fade * fade);
 })";
 

@@ -21,4 +21,7 @@ struct Studio {
 /// Draws everything but words. The studio's context must be the current one, and the arguments good.
 Image paint(Studio& studio, const Drawing& drawing, const Camera& camera, Size size, const Quality& quality);
 
+/// The same on the screen the context has (a page's canvas), its samples side by side, and nothing read back.
+void draw(Studio& studio, const Drawing& drawing, const Camera& camera, Size size, const Quality& quality);
+
 }  // namespace nutshell::picture

@@ -147,12 +147,6 @@ Coverage grown(const Coverage& text, double radius) {
     return out;
 }
 
-double overlap(const Taken& a, const Taken& b) {
-    const double w = std::min(a.right, b.right) - std::max(a.left, b.left);
-    const double h = std::min(a.bottom, b.bottom) - std::max(a.top, b.top);
-    return w > 0 && h > 0 ? w * h : 0;
-}
-
 }  // namespace
 
 double text_width(const std::string& text, double height, Weight weight) {
@@ -165,44 +159,6 @@ void draw_text(Image& image, double x, double baseline, const std::string& text,
     const Coverage letters = cover(text, x, baseline, height, font(weight), int(std::ceil(halo_radius)) + 1);
     blend(image, grown(letters, halo_radius), halo, 0.72F);
     blend(image, letters, ink, 1);
-}
-
-void draw_anchored(Image& image, const std::vector<AnchoredWords>& all, double height,
-                   std::vector<Taken> taken) {
-    const double edge = 0.3 * height;
-    for (const AnchoredWords& words : all) {
-        if (words.text.empty()) continue;
-        const double width = text_width(words.text, height, Weight::bold), rise = 0.72 * height;
-        const double preferred = std::atan2(words.toward_y, words.toward_x);
-        Taken best{};
-        double least = -1;
-        for (int ring = 0; ring < 5; ++ring) {
-            for (int turn = 0; turn < 8;
-                 ++turn) {  // the preferred side first, then by turns left and right of it
-                const double angle = preferred + (turn % 2 ? 1 : -1) * ((turn + 1) / 2) * 0.785398;
-                const double away = height * (0.55 + 0.8 * ring), c = std::cos(angle), s = std::sin(angle);
-                const double side = std::clamp(1.42 * c, -1.0, 1.0), level = std::clamp(1.42 * s, -1.0, 1.0);
-                const double cx = words.x + c * away + side * width / 2,
-                             cy = words.y + s * away + level * rise / 2;
-                const double left =
-                    std::clamp(cx - width / 2, edge, std::max(edge, image.width - width - edge));
-                const double top =
-                    std::clamp(cy - rise / 2, edge, std::max(edge, image.height - rise - edge));
-                const Taken place{left, top, left + width, top + rise};
-                double cost = 0.15 * height * (turn + 4 * ring);
-                for (const Taken& other : taken) cost += other.weight * overlap(place, other);
-                const Taken anchor{words.x - 3, words.y - 3, words.x + 3, words.y + 3};
-                cost += 20 * overlap(place, anchor) + std::hypot(left + width / 2 - cx, top + rise / 2 - cy);
-                if (least < 0 || cost < least) {
-                    least = cost;
-                    best = place;
-                }
-            }
-        }
-        draw_text(image, best.left, best.bottom, words.text, height, Weight::bold, words.ink);
-        const double air = 0.3 * height;  // more than a halo
-        taken.push_back({best.left - air, best.top - air, best.right + air, best.bottom + air, 5});
-    }
 }
 
 }  // namespace nutshell::picture

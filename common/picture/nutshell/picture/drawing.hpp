@@ -137,6 +137,9 @@ class Drawing {
     Drawing& ground(const Ground& ground);
     Drawing& no_ground();
     Drawing& sky(const Sky& sky);
+    /// For a drawing that moves: camera, light and grid are fitted to this ball, not to where things are now.
+    Drawing& stage(const Extent& ball);
+    const std::optional<Extent>& stage() const { return stage_; }
     /// Where the sun stands: towards it, any length. By default high on the left, in front.
     Drawing& sun(const Eigen::Vector3d& direction);
     /// A line of bold words at the top left, and one of plain words at the bottom left.
@@ -172,6 +175,7 @@ class Drawing {
     Ground ground_;
     Sky sky_;
     std::optional<Eigen::Vector3d> sun_;
+    std::optional<Extent> stage_;
     std::string title_, caption_;
 };
 

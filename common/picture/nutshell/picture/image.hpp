@@ -1,8 +1,6 @@
 // A finished picture: its pixels, how pictures are joined, and how one is saved with its note.
 #pragma once
 #include <cstdint>
-#include <filesystem>
-#include <functional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -34,31 +32,5 @@ Image side_by_side(const Image& left, const Image& right, const std::string& lef
 /// Pictures of equal size, one instant each, in rows of at most `columns`, each with its words at its top.
 /// @throws std::invalid_argument if there is none, the sizes differ or there are not as many words
 Image filmstrip(const std::vector<Image>& instants, const std::vector<std::string>& words, int columns = 4);
-
-/// A number worth writing beside a picture.
-struct NotedNumber {
-    std::string name{};
-    double value = 0;
-    std::string unit{};
-};
-
-/// What is written beside each picture, so that it can be made again.
-struct Note {
-    std::string command{};  ///< that makes this picture
-    std::string scene{};
-    std::string method{};
-    std::string dt{};                    ///< the step with its unit, e.g. "0.1 s"
-    std::vector<NotedNumber> numbers{};  ///< final numbers
-};
-
-/// Writes `file` (a .png) and its note, the same name ending in .txt; each appears whole or not at all.
-/// @throws std::runtime_error naming the file if it cannot be written
-void save(const Image& image, const std::filesystem::path& file, const Note& note);
-
-/// Draws and saves; where this machine cannot draw, the note alone is written, with the line
-/// `not drawn: REASON`, an older picture of that name is removed, and the program goes on.
-/// @returns whether the picture was drawn
-/// @throws std::runtime_error naming the file if it cannot be written
-bool save(const std::filesystem::path& file, const Note& note, const std::function<Image()>& draw);
 
 }  // namespace nutshell::picture

@@ -22,3 +22,4 @@
 #include "nutshell/picture/drawing.hpp"
 #include "nutshell/picture/image.hpp"
 #include "nutshell/picture/render.hpp"
+#include "nutshell/picture/save.hpp"
