@@ -5,13 +5,14 @@
 #   --results  where the chapters' programs have written  (out)
 #   --pages    where the pages and errata.csv are         (book)
 #   --root     where the quoted sources are               (the project)
+# Two editions: the learner's, and DIR/open with every body and answer shown, for print and for teachers.
 # A page that quotes something unknown stops the build: every complaint has a file, a line and what to do.
 # The old book stays in place until the new one is complete. How to write a page: book/HOWTO.md.
 set -eu
 export LC_ALL=C.UTF-8
 here=$(CDPATH= cd "$(dirname "$0")" && pwd)
 root=$(dirname "$here"); pages=$here; out=; results=
-usage() { sed -n '2,6s/^# \{0,1\}//p' "$0"; }
+usage() { sed -n '2,7s/^# \{0,1\}//p' "$0"; }
 while [ $# -gt 0 ]; do
     case $1 in
         --out|--results|--pages|--root)
@@ -39,7 +40,7 @@ mkdir -p "$(dirname "$out")" && next=$(mktemp -d "$out.next.XXXXXX") || { echo "
 trap 'rm -rf "$next"' EXIT
 trap 'exit 130' INT TERM
 list=
-for page in "$pages"/index.md "$pages"/[0-9][0-9]_*.md "$pages"/notation.md "$pages"/errata.md; do
+for page in "$pages"/index.md "$pages"/[0-9][0-9]*_*.md "$pages"/notation.md "$pages"/errata.md; do
     [ -f "$page" ] && list="$list $(basename "$page" .md)"
 done
 [ -n "$list" ] || { echo "book: no pages in $pages" >&2; exit 1; }

@@ -5,7 +5,7 @@ PANDOC_VERSION:must_be_at_least("2.17", "book: pandoc %s or newer is needed, thi
 local env = function(name) return os.getenv("BOOK_" .. name) end
 local here = env("HERE") .. "/weave/"
 Book = {pages_dir = env("PAGES"), root = env("ROOT"), results = env("RESULTS"), out = env("OUT"), here = env("HERE"),
-        prefix = env("PREFIX"), pages = {}, sources = {}}
+        prefix = env("PREFIX"), pages = {}, sources = {}, exercises = {}}
 Report = dofile(here .. "report.lua")
 Csv = dofile(here .. "csv.lua")
 Regions = dofile(here .. "regions.lua")
@@ -48,16 +48,43 @@ local function keep_together(list)
     return list
 end
 
+--- Bodies of exercises are taken out, but for a worked example's; the open edition shows the whole listing.
 local function code(page, block)
     local spec = block.attributes.region
     if not spec then return nil end
-    local region = Regions.take(page, spec)
+    local closed = {}
+    for id, exercise in pairs(Book.exercises) do closed[id] = not exercise.open end
+    local id = spec:match("#(%d+%.%d+)$")
+    if id and closed[id] then
+        return Report.add(page, Report.line(page, spec),
+            "region \"%s\": the body of exercise %s is the reader's: quote the region round it", spec, id) or {}
+    end
+    local region = Regions.take(page, spec, closed)
     if not region then return {} end
     local language = block.classes[1] or Regions.language(region.path)
     local link = ("source/%s.html#L-%d"):format(region.path, region.first)
-    return {raw_block('<div class="code">'), pandoc.CodeBlock(region.text, {class = language}),
-            raw_block(('<p class="from"><a href="%s">%s</a></p></div>')
-                :format(link, Page.escape(region.path .. region.suffix)))}
+    local out = pandoc.List {raw_block('<div class="code">')}
+    if region.yours then
+        out:extend {Page.only("learner", "", true), pandoc.CodeBlock(region.yours, {class = language}),
+            Page.only("learner", "", false), Page.only("open", "", true),
+            pandoc.CodeBlock(region.text, {class = language}), Page.only("open", "", false)}
+    else
+        out:insert(pandoc.CodeBlock(region.text, {class = language}))
+    end
+    out:insert(raw_block(('<p class="from"><a href="%s">%s</a></p></div>')
+        :format(link, Page.escape(region.path .. region.suffix))))
+    return out
+end
+
+--- Which exercises' bodies the page quotes: id -> path of the file.
+local function quoted(page)
+    page.quoted = {}
+    page.doc:walk {CodeBlock = function(block)
+        local spec = block.attributes.region
+        if not spec then return end
+        local bodies, path = Regions.exercises(spec)
+        for id in pairs(bodies) do page.quoted[id] = path end
+    end}
 end
 
 --- Links between pages are written to the Markdown files; here they become links between the HTML pages.
@@ -107,6 +134,7 @@ local function weave(page)
         Div = function(d) return Boxes.div(page, d) end,
     }
     page.inlines = inlines
+    quoted(page)
     page.doc = page.doc:walk(inlines)
     for _, entry in ipairs(page.contents) do entry.content = pandoc.Inlines(entry.content):walk(inlines) end
     page.doc = page.doc:walk(blocks)
@@ -132,19 +160,24 @@ local function check_links()
 end
 
 local function write_all()
-    for _, page in ipairs(Book.pages) do Page.write(page.name .. ".html", Page.fill(page)) end
+    for _, page in ipairs(Book.pages) do
+        Page.write(page.name .. ".html", Page.fill(page, "learner"))
+        Page.write("open/" .. page.name .. ".html", Page.fill(page, "open"))
+    end
     for path in pairs(Book.sources) do Page.write_source(path) end
 end
 
 function Pandoc()
     for name in env("LIST"):gmatch("%S+") do
-        local page = {name = name, file = name .. ".md", links = {}, chapter = tonumber(name:match("^(%d%d)_"))}
+        local page = {name = name, file = name .. ".md", links = {}}
+        Page.place(page)
         page.text = Page.read(Book.pages_dir .. "/" .. page.file)
         page.doc = pandoc.read(page.text, markdown)
         Book.pages[#Book.pages + 1] = page
     end
     Errata.load()
     for _, page in ipairs(Book.pages) do Labels.number(page) end
+    Labels.one_example_a_chapter()
     for _, page in ipairs(Book.pages) do weave(page) end
     check_links()
     Errata.check_pages()

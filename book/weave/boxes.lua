@@ -45,15 +45,41 @@ local function equation(page, div)
         .. ('<div class="eqno"><a href="#%s">%s</a>%s</div></div>'):format(div.identifier, number, extra))
 end
 
+--- The reader's command, and below it one body in a fold; the open edition shows the body in its listing instead.
+local function exercise_end(page, at, number)
+    local path = page.quoted[number]
+    if not path then
+        Report.add(page, at, "exercise %s stands where its code is: quote a region that holds it on this page", number)
+        return {}
+    end
+    local out = pandoc.List {pandoc.RawBlock("html",
+        ('<p class="do"><code>./course check %s</code></p>'):format(number))}
+    if Book.exercises[number].open then return out end
+    local region = Regions.take(page, path .. "#" .. number)
+    if not region then return out end
+    out:extend {Page.only("learner", '<details class="body"><summary>One body that passes</summary>', true),
+        pandoc.CodeBlock(region.text, {class = Regions.language(path)}), Page.only("learner", "</details>", false)}
+    return out
+end
+
+local function exercise_list(page)
+    local items = {}
+    for _, e in ipairs(page.exercises) do
+        items[#items + 1] = ('<li><a href="#ex:%s">Exercise %s</a> · %s</li>'):format(e.id, e.id, Page.escape(e.title))
+    end
+    return pandoc.RawBlock("html", '<ul class="exercise-list">' .. table.concat(items) .. "</ul>")
+end
+
 local function box(page, div, class)
-    local at = Report.line(page, class)
+    local at = Report.line(page, div.identifier ~= "" and "#" .. div.identifier or class)
     local title = titles[class]
     if class == "exercise" then
         local number = div.identifier:match("^ex:(%d+%.%d+)$")
         if not number then
             Report.add(page, at, "an exercise says which one it is: ::: {.exercise #ex:1.3}")
         else
-            title = title .. " " .. number
+            title = title .. " " .. number .. (Book.exercises[number].open and ": a worked example" or ": yours")
+            div.content:extend(exercise_end(page, at, number))
         end
     end
     local label = "<b>" .. title .. "</b>"
@@ -70,6 +96,8 @@ function Boxes.div(page, div)
     if class == "reveal" then
         local title = Page.escape(div.attributes.title or "What happens")
         return open_close('<details><summary>' .. title .. '</summary><div class="answer">', div.content, "</div></details>")
+    elseif class == "exercises" then
+        return exercise_list(page)
     elseif class == "chapters" then
         return Page.chapter_list()
     elseif class == "errata-table" then
@@ -79,7 +107,7 @@ function Boxes.div(page, div)
     elseif plain[class] then
         return open_close(('<div class="%s">'):format(class), div.content, "</div>")
     end
-    local known = {reveal = true, chapters = true, ["errata-table"] = true}
+    local known = {reveal = true, chapters = true, exercises = true, ["errata-table"] = true}
     for name in pairs(titles) do known[name] = true end
     for name in pairs(plain) do known[name] = true end
     Report.add(page, Report.line(page, class), "there is no box '%s' (%s)", class, Report.names(known))

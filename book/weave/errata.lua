@@ -56,7 +56,7 @@ end
 function Errata.place(name, anchor)
     for _, page in ipairs(Book.pages) do
         if page.name == name then
-            local where = page.chapter and "chapter " .. page.chapter or page.title
+            local where = (Page.kicker(page) or page.title):gsub("^Chapter", "chapter")
             return Page.escape(where .. (page.labels[anchor] and ", " .. page.labels[anchor].text or ""))
         end
     end

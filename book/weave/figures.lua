@@ -58,7 +58,7 @@ end
 local function content(page, image, at)             -- html, fields of the .txt; nil after a complaint
     local src = image.src
     local chapter, file = src:match("^([%w_]+)/([%w_.-]+)$")
-    if not chapter then chapter, file = page.name, src end
+    if not chapter then chapter, file = page.results or "", src end
     if not chapter:find("^%d%d_") then
         return Report.add(page, at, "picture %s: this page is no chapter: say whose picture, 01_newton/%s", src, src)
     end

@@ -12,7 +12,9 @@ const macros = {
 const text = s => s.replace(/&lt;/g, '<').replace(/&gt;/g, '>').replace(/&quot;/g, '"').replace(/&amp;/g, '&');
 const set = new Map();                           // the same formula is set once
 let bad = 0;
-for (const file of fs.readdirSync(book).filter(f => f.endsWith('.html'))) {
+const pages = folder => fs.existsSync(path.join(book, folder))
+    ? fs.readdirSync(path.join(book, folder)).filter(f => f.endsWith('.html')).map(f => path.join(folder, f)) : [];
+for (const file of [...pages('.'), ...pages('open')]) {
     const page = path.join(book, file);
     const html = fs.readFileSync(page, 'utf8');
     const done = html.replace(/<span class="tex( display)?" data-at="([^"]*)">([\s\S]*?)<\/span>/g, (_, display, at, escaped) => {

@@ -25,7 +25,7 @@ local function letters(n)                           -- 1 -> a, 27 -> aa
     return text
 end
 
-local function dotted(page, n) return page.chapter and page.chapter .. "." .. n or tostring(n) end
+local function dotted(page, n) return page.number and page.number .. "." .. n or tostring(n) end
 
 --- The number an equation shows, from its label: text, starred?
 local function equation_number(page, name)
@@ -34,7 +34,7 @@ local function equation_number(page, name)
         return "(" .. first .. (last ~= "" and "–" .. last or "") .. (star ~= "" and "*" or "") .. ")", star ~= "", first, last
     end
     page.own_equations = page.own_equations + 1
-    return "(" .. (page.chapter and page.chapter .. "." or "") .. letters(page.own_equations) .. ")", false
+    return "(" .. (page.number and page.number .. "." or "") .. letters(page.own_equations) .. ")", false
 end
 
 local function equation(page, div)
@@ -60,7 +60,7 @@ end
 local function header(page, h)
     if h.level == 1 then
         page.title = page.title or pandoc.utils.stringify(h.content)
-        put(page, h.identifier, page.chapter and "Chapter " .. page.chapter or page.title)
+        put(page, h.identifier, Page.kicker(page) or page.title)
     elseif h.level == 2 then
         local number
         if page.chapter and not h.classes:includes("unnumbered") then
@@ -73,15 +73,23 @@ local function header(page, h)
     end
 end
 
+--- Exercises are collected over all pages: a body is closed wherever it is quoted.
+local function exercise(page, div)
+    local id = div.identifier:sub(4)
+    put(page, div.identifier, "Exercise " .. id)
+    page.exercises[#page.exercises + 1] = {id = id, title = div.attributes.title or ""}
+    Book.exercises[id] = {page = page, open = div.classes:includes("open")}
+end
+
 function Labels.number(page)
-    page.labels, page.section_numbers, page.contents = {}, {}, {}
+    page.labels, page.section_numbers, page.contents, page.exercises = {}, {}, {}, {}
     page.own_equations, page.figures, page.sections = 0, 0, 0
     page.doc:walk {
         traverse = "topdown",
         Header = function(h) header(page, h) end,
         Div = function(d)
             if d.identifier:find("^eq:") then equation(page, d)
-            elseif d.identifier:find("^ex:") then put(page, d.identifier, "Exercise " .. d.identifier:sub(4)) end
+            elseif d.identifier:find("^ex:") then exercise(page, d) end
         end,
         Image = function(i)
             if i.identifier:find("^fig:") then
@@ -94,6 +102,22 @@ function Labels.number(page)
     if not page.title then
         page.title = page.name
         Report.add(page, 1, "the page has no title: begin with '# Title {#sec:name}'")
+    end
+end
+
+--- The bodies are the reader's to write; one a chapter may stand open.
+function Labels.one_example_a_chapter()
+    local open = {}
+    for _, page in ipairs(Book.pages) do
+        for _, e in ipairs(page.exercises) do
+            if Book.exercises[e.id].open then
+                if open[page.chapter] then
+                    Report.add(page, Report.line(page, "#ex:" .. e.id),
+                        "exercise %s is open, and %s is already this chapter's worked example", e.id, open[page.chapter])
+                end
+                open[page.chapter] = e.id
+            end
+        end
     end
 end
 

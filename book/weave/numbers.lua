@@ -34,7 +34,7 @@ local function take(page, spec, at)
     for word in spec:gmatch("%S+") do words[#words + 1] = word end
     local full = table.remove(words, 1) or ""
     local chapter, name = full:match("^([^/]+)/(.+)$")
-    if not chapter then chapter, name = page.chapter and page.name, full end
+    if not chapter then chapter, name = page.results, full end
     if not chapter then return complain("this page is no chapter: say whose number, 01_newton/" .. full) end
     local t = Numbers.load(chapter)
     if t.missing then                                    -- once is enough

@@ -35,6 +35,46 @@ local function fill(values)
     return (template:gsub("{{(%w+)}}", function(name) return values[name] or "" end))
 end
 
+--- Where a page stands: 03_forces is chapter 3; 03a_damping is its side road 3A and uses chapter 3's results;
+--- 00_toolbox is numbered and no chapter.
+function Page.place(page)
+    local digits, letter = page.name:match("^(%d%d)(%l?)_")
+    if not digits then return end
+    page.chapter = tonumber(digits)
+    page.side = letter ~= "" and letter:upper() or nil
+    page.number = page.chapter .. (page.side or "")
+    page.results = page.name
+    for name in os.getenv("BOOK_LIST"):gmatch("%S+") do
+        if name:find("^" .. digits .. "_") then page.results = name end
+    end
+end
+
+--- What stands above a numbered page's title, and what a reference to the whole page says; nil for the others.
+function Page.kicker(page)
+    if page.side then return "Side road " .. page.number end
+    return page.chapter and page.chapter > 0 and "Chapter " .. page.chapter or nil
+end
+
+local function is_chapter(page) return page.chapter and page.chapter > 0 and not page.side end
+
+--- HTML that only one edition has: "learner" or "open".
+function Page.only(edition, html, begins)
+    local mark = ("<!--%s%s-->"):format(begins and "" or "/", edition)
+    return pandoc.RawBlock("html", begins and mark .. html or html .. mark)
+end
+
+--- A woven page as an edition shows it. The open one has every body in its listing, every answer unfolded.
+local function edition_of(html, edition)
+    local other = edition == "open" and "learner" or "open"
+    html = html:gsub("<!%-%-" .. other .. "%-%->.-<!%-%-/" .. other .. "%-%->", "")
+    html = html:gsub("<!%-%-/?" .. edition .. "%-%->", "")
+    if edition == "open" then
+        html = html:gsub("<details([ >])", "<details open%1")
+        html = html:gsub('(%s[hs]re?[fc]=")(%l+/)', "%1../%2")
+    end
+    return html
+end
+
 local function contents_of(page)
     if #page.contents == 0 then return "" end
     local items = {}
@@ -52,7 +92,7 @@ local chapters
 function Page.chapters()
     if chapters then return chapters end
     local list, by_number = {}, {}
-    for _, page in ipairs(Book.pages) do if page.chapter then by_number[page.chapter] = page end end
+    for _, page in ipairs(Book.pages) do if is_chapter(page) then by_number[page.chapter] = page end end
     for _, item in ipairs(Book.pages[1].doc.meta.chapters or {}) do
         local number, title, about = pandoc.utils.stringify(item):match("^(%d+)%s+([^.]+)%.%s*(.*)$")
         if number then
@@ -82,13 +122,17 @@ local function navigation(current)
     local items = {}
     local function add(class, html) items[#items + 1] = ('<li class="%s">%s</li>'):format(class, html) end
     local function entry(page)
-        local number = page.chapter and ('<span class="no">%d</span>'):format(page.chapter) or ""
+        local number = is_chapter(page) and ('<span class="no">%d</span>'):format(page.chapter) or ""
         local here = page == current
-        add((page.chapter and "chapter" or "extra") .. (here and " here" or ""),
+        local class = page.side and "side-road" or is_chapter(page) and "chapter" or "extra"
+        add(class .. (here and " here" or ""),
             ('<a href="%s.html"%s>%s%s</a>%s'):format(page.name, here and ' aria-current="page"' or "", number,
                 Page.escape(page.title), here and page.chapter and contents_of(page) or ""))
     end
-    for _, page in ipairs(Book.pages) do if page.chapter then entry(page) end end
+    -- side roads show below their chapter while the reader is in it
+    for _, page in ipairs(Book.pages) do
+        if page.chapter and (not page.side or page.chapter == current.chapter) then entry(page) end
+    end
     for _, c in ipairs(Page.chapters()) do
         if not c.page then
             add("chapter coming", ('<span><span class="no">%s</span>%s</span>'):format(c.number, Page.escape(c.title)))
@@ -100,19 +144,38 @@ end
 
 local function turn(page, class, word)
     if not page then return "<span></span>" end
-    local title = page.chapter and page.chapter .. " · " .. page.title or page.title
+    local title = page.number and page.number ~= "0" and page.number .. " · " .. page.title or page.title
     return ('<a class="%s" href="%s.html"><small>%s</small>%s</a>'):format(class, page.name, word, Page.escape(title))
 end
 
-function Page.fill(page)
-    local index
+--- The pages before and after: the main road passes its side roads by; a side road leads back to its chapter.
+local function neighbours(page)
+    local index, before, after, main
     for i, p in ipairs(Book.pages) do if p == page then index = i end end
-    return fill {
+    for i, p in ipairs(Book.pages) do
+        if page.side and p.number == tostring(page.chapter) then main = p end
+        if i < index and not p.side then before = p end
+        if i > index and not after and (page.side or not p.side) then after = p end
+    end
+    return main or before, after
+end
+
+function Page.fill(page, edition)
+    local before, after = neighbours(page)
+    local kicker = Page.kicker(page)
+    local other = edition == "open" and "../" or "open/"
+    local word = edition == "open" and 'This is the open edition, for print and for teachers: bodies and answers are shown. <a href="%s%s.html">The learner’s edition</a>'
+        or 'For print and for teachers: <a href="%s%s.html">the open edition</a>, with every body and answer shown.'
+    local html = fill {
         title = Page.escape(page.name == "index" and page.title or page.title .. " · Game Physics in a Nutshell"),
-        base = "", class = page.chapter and "chapter" or page.name, nav = navigation(page), body = page.body,
-        kicker = page.chapter and ('<p class="kicker">Chapter %d</p>'):format(page.chapter) or "",
-        previous = turn(Book.pages[index - 1], "previous", "Before"), next = turn(Book.pages[index + 1], "next", "Next"),
+        base = "", class = (page.chapter and "chapter" or page.name), nav = navigation(page), body = page.body,
+        kicker = kicker and ('<p class="kicker">%s</p>'):format(kicker) or "",
+        previous = turn(before, "previous", page.side and "Back to" or "Before"), next = turn(after, "next", "Next"),
+        edition = "@edition@",
     }
+    html = edition_of(html, edition)
+    if edition == "open" then html = html:gsub('href="(%l+%.css)"', 'href="../%1"') end
+    return (html:gsub("@edition@", function() return word:format(other, page.name) end))
 end
 
 --- A quoted source file as a page of its own, lines numbered, so that the link under each listing opens from disk.

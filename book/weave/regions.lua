@@ -1,5 +1,6 @@
 -- Code quoted from the sources by the name of a region: the lines between "// [name]" and "// [/name]",
 -- or, for the name "1.3", between "// exercise 1.3" and "// end 1.3". Marks themselves are never shown.
+-- Bodies of exercises are the reader's to write: `text` shows them, `yours` has a line "exercise 1.3: yours" instead.
 local Regions = {}
 local files = {}
 
@@ -35,8 +36,26 @@ local function load(path)
     return file
 end
 
---- The text of "path#name" (or of a whole file), its indent taken away; nil after a complaint.
-function Regions.take(page, spec)
+local function is_exercise(name) return name:find("^%d+%.%d+$") ~= nil end
+
+--- The exercises whose bodies stand inside "path#name": id -> {first =, last =}, the path. Silent: take() complains.
+function Regions.exercises(spec)
+    local path, name = spec:match("^([^#]+)#(.+)$")
+    local file, found = load(path or spec), {}
+    local all = file and file.regions[name]
+    if file and not name then all = {first = 1, last = #file.lines} end
+    if not all or not all.last then return found, path end
+    for id, body in pairs(file.regions) do
+        if is_exercise(id) and id ~= name and body.last and body.first > all.first and body.last < all.last then
+            found[id] = body
+        end
+    end
+    return found, path
+end
+
+--- What "path#name" quotes, its indent taken away; nil after a complaint.
+--- text: all of it; yours: with the bodies of the exercises in `closed` (a set of ids) taken out, nil if there are none.
+function Regions.take(page, spec, closed)
     local at = Report.line(page, spec)
     local path, name = spec:match("^([^#]+)#(.+)$")
     path = path or spec
@@ -73,20 +92,42 @@ function Regions.take(page, spec)
         Report.add(page, at, "region \"%s\": the region is empty", spec)
         return nil
     end
+    local yours = Regions.without_bodies(file, spec, region, closed or {}, indent)
     for i, text in ipairs(lines) do lines[i] = text:sub(indent + 1) end
     Regions.check_equations(page, at, spec, lines)
     Book.sources[path] = file.text
-    local suffix = name and (name:find("^%d+%.%d+$") and ", exercise " .. name or ", " .. name) or ""
-    return {text = table.concat(lines, "\n"), path = path, first = first, suffix = suffix}
+    local suffix = name and (is_exercise(name) and ", exercise " .. name or ", " .. name) or ""
+    return {text = table.concat(lines, "\n"), yours = yours, path = path, first = first, suffix = suffix}
+end
+
+--- The same lines with each closed body replaced by one line that says whose it is; nil if no body is closed.
+function Regions.without_bodies(file, spec, region, closed, indent)
+    local starts, any = {}, false
+    for id, body in pairs(Regions.exercises(spec)) do
+        if closed[id] then starts[body.first] = {id = id, last = body.last}; any = true end
+    end
+    if not any then return nil end
+    local lines, n = {}, region.first
+    while n <= region.last do
+        local text, body = file.lines[n].text, starts[n]
+        if body then
+            lines[#lines + 1] = text:match("^%s*"):sub(indent + 1) .. "// exercise " .. body.id .. ": yours"
+            n = body.last
+        elseif not file.lines[n].mark and (#lines > 0 or text:find("%S")) then
+            lines[#lines + 1] = text:sub(indent + 1)
+        end
+        n = n + 1
+    end
+    return (table.concat(lines, "\n"):gsub("%s+$", ""))
 end
 
 --- Where quoted code says "eq. (1.a)", chapter 1 has such an equation.
 function Regions.check_equations(page, at, spec, lines)
-    for number, letters in table.concat(lines, "\n"):gmatch("[Ee]qs?%. %((%d+)%.(%l%l?)%)") do
+    for number, letters in table.concat(lines, "\n"):gmatch("[Ee]qs?%. %((%d+%u?)%.(%l%l?)%)") do
         local label = ("(%s.%s)"):format(number, letters)
         local chapter, found
         for _, other in ipairs(Book.pages) do
-            if other.chapter == tonumber(number) then
+            if other.number == number then
                 chapter = other
                 for _, l in pairs(other.labels) do found = found or l.text == label end
             end

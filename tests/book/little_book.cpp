@@ -57,6 +57,15 @@ inline int step(int x) {
 }
 // [/step]
 
+// [other]
+/// Another.
+inline int other(int x) {
+    // exercise 1.2
+    return x - 1;
+    // end 1.2
+}
+// [/other]
+
 // [labelled]
 /// Eq. (1.b) solved for x.
 inline int labelled();

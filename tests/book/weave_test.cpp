@@ -50,8 +50,16 @@ $$ g = h $$
 ```{region="src/code.hpp#step"}
 ```
 
-```{region="src/code.hpp#1.1"}
+::: {.exercise #ex:1.1 title="A step"}
+Do [it](#sec:here), as in [the errata](errata.md#E05).
+:::
+
+```{region="src/code.hpp#other"}
 ```
+
+::: {.exercise .open #ex:1.2 title="Another"}
+As here.
+:::
 
 ![A *planet*, `steps %d`{=num} steps of $x < 1$.](planet.png){#fig:planet}
 
@@ -69,8 +77,7 @@ That.
 :::
 :::
 
-::: {.exercise #ex:1.1 title="A step"}
-Do [it](#sec:here), as in [the errata](errata.md#E05).
+::: exercises
 :::
 )");
     book.write("pages/errata.md", "# Errata {#sec:errata}\n\n::: errata-table\n:::\n");
@@ -95,8 +102,15 @@ Do [it](#sec:here), as in [the errata](errata.md#E05).
                     "href=\"#ex:1.1\">Exercise\u00a01.1</a>", "href=\"errata.html#E05\">E05</a>"});
     check_in_order(page, {"id=\"eq:8-9\"", "(8–9)", "id=\"eq:11star\"", "(11*)", "errata.html#E05",
                           "id=\"eq:ours\"", "(1.a)"});
-    check_in_order(page, {"/// One step.", "x <span class=\"op\">+</span>",
-                          "href=\"source/src/code.hpp.html#L-4\"", "source/src/code.hpp.html#L-7"});
+    check_in_order(page, {"/// One step.", "// exercise 1.1: yours", "href=\"source/src/code.hpp.html#L-4\"",
+                          "id=\"ex:1.1\"", "Exercise 1.1: yours</b> · A step", "./course check 1.1",
+                          "<details class=\"body\">", "x <span class=\"op\">+</span>", "</details>", "</aside>",
+                          "/// Another.", "x <span class=\"op\">-</span>",
+                          "Exercise 1.2: a worked example</b> · Another", "./course check 1.2", "</aside>"});
+    check_in_order(book.page("open/01_first"),
+                   {"/// One step.", "x <span class=\"op\">+</span>", "Exercise 1.1: yours</b>", "</aside>",
+                    "<img src=\"../pictures/01_first/planet.png\"", "<details open>"});
+    CHECK(book.page("open/01_first").find("class=\"body\"") == std::string::npos);
     CHECK(page.find("exercise 1.1\n") == std::string::npos);  // the marks are never shown
     CHECK(page.find("[step]") == std::string::npos);
     check_in_order(
@@ -107,7 +121,7 @@ Do [it](#sec:here), as in [the errata](errata.md#E05).
                "id='chart-one-1'", "Figure\u00a01.2.", "id='chart-two-1'", "Figure\u00a01.3.",
                "dark.png was not drawn:</b> no OpenGL here.", "Figure\u00a01.4."});
     check_in_order(page, {"Predict first", "Which?", "<details><summary>What happens</summary>", "That.",
-                          "Exercise 1.1</b> · A step"});
+                          "<a href=\"#ex:1.1\">Exercise 1.1</a> · A step", "Exercise 1.2</a> · Another"});
     CHECK(page.find("<script") == std::string::npos);
 
     check_in_order(book.page("index"), {"href=\"01_first.html\"", "<span class=\"no\">2</span>Second",
@@ -141,7 +155,7 @@ TEST_CASE(
         {"`turn %s`{=num}", "format %s is none of"},
         {"$\\num{gone %f}$", "number `gone %f`: no such name"},
         {"```{region=\"src/code.hpp#stop\"}\n```",
-         "no region 'stop' in src/code.hpp (it has: 1.1, labelled, open, step)"},
+         "no region 'stop' in src/code.hpp (it has: 1.1, 1.2, labelled, open, other, step)"},
         {"```{region=\"src/code.hpp#labelled\"}\n```", "names equation (1.b), and page 01_first has none"},
         {"```{region=\"src/code.hpp#open\"}\n```", "the region is opened and never closed"},
         {"```{region=\"src/lost.hpp#step\"}\n```", "there is no file src/lost.hpp"},
@@ -155,6 +169,10 @@ TEST_CASE(
         {"::: {#eq:11star erratum=E05}\n$$ a = b $$\n:::", "the label eq:11star is given twice"},
         {"::: remark\nx\n:::", "there is no box 'remark'"},
         {"::: exercise\nx\n:::", "an exercise says which one it is"},
+        {"::: {.exercise #ex:1.3}\nx\n:::", "exercise 1.3 stands where its code is"},
+        {"::: {.exercise .open #ex:1.2}\nx\n:::", "exercise 1.2 stands where its code is"},
+        {"::: {.exercise .open #ex:1.1}\nx\n:::",
+         "exercise 1.1 is open, and 1.2 is already this chapter's worked example"},
         {"$\\wrong{x}$", "bad TeX: Undefined control sequence: \\wrong"},
         {"$$ \\frac{1} $$", "bad TeX: "},
     };
