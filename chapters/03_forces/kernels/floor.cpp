@@ -1,6 +1,6 @@
 #include <cmath>
 #include <nutshell/wide_floor.hpp>
-#include "clones.hpp"
+#include <nutshell/clones.hpp>
 
 namespace nutshell::wide {
 

@@ -3,7 +3,7 @@
 // sums and products are the same bits in any width.
 #include <cmath>
 #include <nutshell/wide.hpp>
-#include "clones.hpp"
+#include <nutshell/clones.hpp>
 
 namespace nutshell::wide {
 

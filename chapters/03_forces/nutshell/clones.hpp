@@ -1,4 +1,4 @@
-// What the wide loops of this folder have in common: for whom they are compiled, and what the
+// What the wide loops of kernels/ have in common: for whom they are compiled, and what the
 // compiler may assume. (clang 14 names its clones in its own way, so it compiles one for every
 // machine. A test sets both for itself.)
 #pragma once
