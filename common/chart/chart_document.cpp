@@ -42,7 +42,7 @@ constexpr std::array rules{
     Rule{".label", "font-weight:700;fill:currentColor"},
     Rule{".panel", "font-weight:700;fill:#1d2126;fill:var(--ink)"},
     Rule{".sup", "font-size:12px"},
-    Rule{".narrow .sup", "font-size:13.5px"},
+    Rule{".narrow .sup", "font-size:14.6px"},
     Rule{".stem", "fill:none;stroke:currentColor;stroke-width:1.6;opacity:.45"},
     Rule{".least", "font-weight:700"},
     Rule{".quiet .curve", "stroke:#8b929a;stroke-width:1.1;stroke-dasharray:none;opacity:.75"},
@@ -117,7 +117,7 @@ std::string document(const std::string& name, const std::string& title, const st
                                      unit(narrow.height) + ";max-width:" + unit(1.3 * narrow.width) + "px}#" +
                                      id + " .wide{display:none}#" + id + " .narrow{display:inline}";
     css += "#" + id + " .narrow{display:none}\n@media screen and (max-width:" + room + "){" + narrow_rules +
-           "}\n@container (max-width:" + room + "){" + narrow_rules + "}\n";
+           "}\n@media screen{@container (max-width:" + room + "){" + narrow_rules + "}}\n";
     return "<svg xmlns='http://www.w3.org/2000/svg' class='chart' id='" + id + "' viewBox='0 0 " + w + ' ' +
            h + "' width='" + w + "' height='" + h +
            "' preserveAspectRatio='xMinYMin meet' role='group' aria-labelledby='" + id +
