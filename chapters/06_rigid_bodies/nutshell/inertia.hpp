@@ -1,0 +1,176 @@
+// Chapter 6 · Inertia: how hard it is to turn a thing, about every axis at once.
+#pragma once
+#include <Eigen/Eigenvalues>
+#include <nutshell/require.hpp>
+#include <nutshell/revised_newton.hpp>
+#include <sstream>
+
+namespace nutshell {
+
+// [point_inertia]
+/// Inertia [kg m^2] of one point mass about the origin, r [m] its place: m (r^2 1 - r r^T). Only
+/// the part of r at right angles to the axis counts. Source: eq. (49), one term; eq. (63).
+inline Matrix3 point_inertia(double mass, const Vector3& r) {
+    return mass * (r.squaredNorm() * Matrix3::Identity() - r * r.transpose());
+}
+// [/point_inertia]
+
+// [mass_properties]
+/// What a rigid thing's shape and density come down to.
+struct MassProperties {
+    double mass = 0;                    ///< [kg]
+    Vector3 centre = Vector3::Zero();   ///< of mass [m], in the axes of the shape
+    Matrix3 inertia = Matrix3::Zero();  ///< [kg m^2] about the centre, in the axes of the shape
+};
+
+/// Of a cloud of particles: sums. Their inertia is taken about their own centre. Source: eqs.
+/// (49), (60), (61). @throws std::invalid_argument if there is none, or a mass is not positive
+inline MassProperties mass_properties(std::span<const Particle> cloud) {
+    require(!cloud.empty(), "mass_properties: a cloud without particles has no centre");
+    MassProperties sum;
+    for (const Particle& particle : cloud) {
+        sum.mass += checked(particle).mass;
+        sum.centre += particle.mass * particle.position;
+    }
+    sum.centre /= sum.mass;
+    for (const Particle& particle : cloud)
+        sum.inertia += point_inertia(particle.mass, particle.position - sum.centre);
+    return sum;
+}
+// [/mass_properties]
+
+// [parallel_axis]
+/// What is added to the inertia about the centre of mass to get the inertia about a point that is
+/// `offset` [m] away from it: that of all mass in the centre. Source: eq. (63), Steiner
+inline Matrix3 parallel_axis(double mass, const Vector3& offset) {
+    return point_inertia(mass, offset);
+}
+
+/// Inertia [kg m^2] about `point` [m], both in the axes of the shape.
+inline Matrix3 inertia_about(const MassProperties& body, const Vector3& point) {
+    return body.inertia + parallel_axis(body.mass, point - body.centre);
+}
+// [/parallel_axis]
+
+// [in_world]
+/// Inertia in world axes of a body whose inertia in its own axes is `inertia` and that R has
+/// turned: I = R I0 R^T. A column of R says where an axis of the body points. Source: eq. (53*).
+inline Matrix3 in_world(const Matrix3& inertia, const Matrix3& rotation) {
+    return rotation * inertia * rotation.transpose();
+}
+// [/in_world]
+
+// [possible]
+/// The reason why no body can have these principal moments [kg m^2], or nothing. Each is a sum of
+/// m (y^2 + z^2) and the like, so none is negative, and two of them are at least the third: Ix +
+/// Iy - Iz = 2 times the sum of m z^2. `slack` is what round-off may take, relative to the
+/// largest.
+inline std::string why_impossible(const Vector3& moments, double slack = 1e-12) {
+    std::ostringstream text;
+    if (!moments.allFinite()) return "a moment of inertia is not finite";
+    const double largest = moments.cwiseAbs().maxCoeff();
+    if (moments.minCoeff() < -slack * largest) {
+        text << "a moment of inertia is negative: " << moments.minCoeff() << " kg m^2";
+        return text.str();
+    }
+    const double one = moments.maxCoeff(), others = moments.sum() - one;
+    if (one > others + slack * largest) {
+        text << "the moment of inertia " << one
+             << " kg m^2 is larger than the two others together, " << others
+             << " kg m^2: no mass lies like that";
+        return text.str();
+    }
+    return "";
+}
+// [/possible]
+
+// [principal]
+/// The axes about which a body can spin without a torque, and its moments of inertia about them.
+struct PrincipalAxes {
+    Vector3 moments;  ///< [kg m^2]
+    Matrix3 axes;     ///< right-handed: a column is a principal axis, in the axes of the shape
+};
+
+/// Principal axes of an inertia tensor [kg m^2]: the eigenvectors of a symmetric matrix. One that
+/// is diagonal already, but for round-off, keeps its axes in their order.
+/// @throws std::invalid_argument with the reason if the tensor is not finite, not symmetric, or
+/// no body can have it
+inline PrincipalAxes principal_axes(const Matrix3& inertia) {
+    require_finite(inertia, "an inertia tensor [kg m^2]");
+    const double size = inertia.cwiseAbs().maxCoeff();
+    require((inertia - inertia.transpose()).cwiseAbs().maxCoeff() <= 1e-12 * size,
+            "an inertia tensor is symmetric, this one is not: was it turned by R I R^T?");
+    PrincipalAxes found{inertia.diagonal(), Matrix3::Identity()};
+    const Matrix3 mixed = inertia - Matrix3(found.moments.asDiagonal());
+    if (mixed.cwiseAbs().maxCoeff() > 1e-15 * size) {
+        const Eigen::SelfAdjointEigenSolver<Matrix3> solver(inertia);
+        found = {solver.eigenvalues(), solver.eigenvectors()};
+        if (found.axes.determinant() < 0) found.axes.col(0) *= -1;
+    }
+    const std::string reason = why_impossible(found.moments);
+    require(reason.empty(), "no body has this inertia tensor: " + reason);
+    return found;
+}
+// [/principal]
+
+// [shapes]
+// Principal moments [kg m^2] about the centre of uniform solids. Masses in kg, lengths in m; the
+// axis of a cylinder, rod, cone or capsule is the body's z. All throw std::invalid_argument for a
+// mass or a length that is not finite and greater than zero.
+
+/// A ball: 2/5 m r^2 about any axis.
+inline Vector3 ball_inertia(double mass, double radius) {
+    require_positive(mass, "ball_inertia: the mass [kg]");
+    require_positive(radius, "ball_inertia: the radius [m]");
+    return Vector3::Constant(0.4 * mass * radius * radius);
+}
+
+/// A box of edges `size`.
+inline Vector3 box_inertia(double mass, const Vector3& size) {
+    require_positive(mass, "box_inertia: the mass [kg]");
+    require_positive(size.minCoeff(), "box_inertia: the shortest edge [m]");
+    const Vector3 square = size.cwiseAbs2();
+    return mass / 12 * (Vector3::Constant(square.sum()) - square);
+}
+
+/// A cylinder, or a disc if it is flat.
+inline Vector3 cylinder_inertia(double mass, double radius, double height) {
+    require_positive(mass, "cylinder_inertia: the mass [kg]");
+    require_positive(radius, "cylinder_inertia: the radius [m]");
+    require_positive(height, "cylinder_inertia: the height [m]");
+    const double across = mass * (3 * radius * radius + height * height) / 12;
+    return {across, across, mass * radius * radius / 2};
+}
+
+/// A rod without thickness. About its own axis it has none: as a body of its own give it a radius
+/// and make it a cylinder.
+inline Vector3 rod_inertia(double mass, double length) {
+    require_positive(mass, "rod_inertia: the mass [kg]");
+    require_positive(length, "rod_inertia: the length [m]");
+    const double across = mass * length * length / 12;
+    return {across, across, 0};
+}
+
+/// An ellipsoid of half axes `radii`.
+inline Vector3 ellipsoid_inertia(double mass, const Vector3& radii) {
+    require_positive(mass, "ellipsoid_inertia: the mass [kg]");
+    require_positive(radii.minCoeff(), "ellipsoid_inertia: the shortest half axis [m]");
+    const Vector3 square = radii.cwiseAbs2();
+    return mass / 5 * (Vector3::Constant(square.sum()) - square);
+}
+
+/// A capsule: a cylinder of length 2 `half_length` with half a ball at each end.
+inline Vector3 capsule_inertia(double mass, double radius, double half_length) {
+    require_positive(half_length, "capsule_inertia: the half length [m]");
+    require_positive(radius, "capsule_inertia: the radius [m]");
+    const double r = radius, h = 2 * half_length;
+    const double density = mass / (pi * r * r * (h + 4 * r / 3));  // [kg/m^3]
+    const double middle = density * pi * r * r * h, caps = density * 4 * pi / 3 * r * r * r;
+    // half a ball's centre of mass lies 3/8 r from its flat side
+    const double across = caps * (0.4 * r * r + h * h / 4 + 3 * h * r / 8);
+    const Vector3 along = cylinder_inertia(middle, r, h);
+    return along + Vector3(across, across, 0.4 * caps * r * r);
+}
+// [/shapes]
+
+}  // namespace nutshell
