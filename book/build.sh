@@ -51,7 +51,7 @@ BOOK_LIST=$list BOOK_PREFIX=$prefix BOOK_PAGES=$pages BOOK_ROOT=$root BOOK_RESUL
     pandoc --from markdown --to plain --lua-filter "$here/weave/book.lua" --output /dev/null /dev/null || bad=1
 node "$here/weave/katex.cjs" "$katex" "$next" || bad=1
 [ $bad = 0 ] || { echo "book: the complaints above stop the build; nothing was written to $out" >&2; exit 1; }
-cp "$here/style/book.css" "$next/"
+cat "$here/style/book.css" "$here/style/pictures.css" > "$next/book.css"
 mkdir -p "$next/fonts"
 for face in Lato-Regular Lato-Bold Lato-Italic; do
     font=$(find -L /usr/share/fonts -name "$face.ttf" 2>/dev/null | head -n 1)

@@ -45,6 +45,20 @@ local function spoken(caption)
     return pandoc.utils.stringify(text)
 end
 
+local function alternative(image)
+    return image.attributes.alt and Page.escape(image.attributes.alt) or spoken(image.caption)
+end
+
+--- A picture as the painter left it for the page: JPEGs for light and dark, their words as text over them.
+local function shots(chapter, sheet, image)
+    local here = "pictures/" .. chapter .. "/"
+    local html = sheet:gsub('(src%a*=")([%w_.-]+)"', function(attribute, name)
+        Page.write(here .. name, Page.read(Book.results .. "/" .. chapter .. "/" .. name))
+        return attribute .. here .. name .. '"'
+    end)
+    return (html:gsub('alt=""', function() return 'alt="' .. alternative(image) .. '"' end, 1))
+end
+
 --- What the reader types to make the picture: the chapter's program is what ./course run N runs.
 function Figures.command(chapter, fields)
     local run = "./course run " .. tonumber(chapter:match("^%d+"))
@@ -76,6 +90,9 @@ local function content(page, image, at)             -- html, fields of the .txt;
         return ('<div class="not-drawn"><b>%s was not drawn:</b> %s. Once that is mended, <code>%s</code> draws it.</div>')
             :format(Page.escape(src), Page.escape((reason:gsub("%.$", ""))), Page.escape(command)), command
     end
+    local stem = file:match("^(.*)%.png$")
+    local sheet = stem and Page.read(Book.results .. "/" .. chapter .. "/" .. stem .. ".page.html", true)
+    if sheet then return shots(chapter, sheet, image), command end
     if file:find("%.svg$") then
         return chart(page, at, src, bytes), command
     elseif not file:find("%.png$") then
@@ -84,8 +101,7 @@ local function content(page, image, at)             -- html, fields of the .txt;
     local width, height = png_size(bytes)
     if not width then return Report.add(page, at, "picture %s: the file is no PNG", src) end
     Page.write("pictures/" .. chapter .. "/" .. file, bytes)
-    local alt = image.attributes.alt and Page.escape(image.attributes.alt) or spoken(image.caption)
-    return ('<img src="pictures/%s/%s" alt="%s" width="%d" height="%d">'):format(chapter, file, alt, width, height), command
+    return ('<img src="pictures/%s/%s" alt="%s" width="%d" height="%d">'):format(chapter, file, alternative(image), width, height), command
 end
 
 function Figures.figure(page, image)

@@ -44,7 +44,7 @@ void straight_line_picture(lab::Report& report) {
         "Verlet",
         "0.5 s",
         {{"largest error", lab::measure(scene, verlet_method, 8).max_error, "m"}}};
-    pic::save(report.path("straight_line.png"), note, [&] {
+    pic::save(report.path("straight_line.png"), note, [&]() -> pic::Sheet {
         pic::Drawing drawing;
         pic::add(drawing, pic::Stroboscope{.computed = path(scene, verlet_method, 8),
                                            .exact = {},
@@ -55,7 +55,7 @@ void straight_line_picture(lab::Report& report) {
                                .label = "v"});
         drawing.title("No force: the same distance in the same time")
             .caption("an image every 0.5 s");
-        return pic::render(drawing, pic::fit(drawing, {0.2, 0.35, 1}));
+        return pic::Shot{drawing, pic::fit(drawing, {0.2, 0.35, 1})};
     });
 }
 
@@ -72,7 +72,7 @@ void throw_picture(lab::Report& report) {
           (lab::run(scene, euler_method, steps).position - scene.exact(scene.duration).position)
               .y(),
           "m"}}};
-    pic::save(report.path("throw.png"), note, [&] {
+    pic::save(report.path("throw.png"), note, [&]() -> pic::Sheet {
         pic::Drawing drawing;
         pic::add(drawing, pic::Stroboscope{.computed = path(scene, euler_method, steps),
                                            .exact = exact_path(scene, steps),
@@ -82,7 +82,7 @@ void throw_picture(lab::Report& report) {
         drawing.ground({.height = -0.45, .spacing = 5});
         drawing.title("Euler's ball flies too high")
             .caption("solid: Euler, one step every 0.25 s.  ghost: exact");
-        return pic::render(drawing, pic::fit(drawing, {0.12, 0.18, 1}));
+        return pic::Shot{drawing, pic::fit(drawing, {0.12, 0.18, 1})};
     });
 }
 
@@ -121,15 +121,15 @@ void planet_picture(lab::Report& report) {
           few.error(lab::run(few, euler_method, 6 * euler_steps), few.duration), "a"},
          {"Verlet, error at the end",
           many.error(lab::run(many, verlet_method, 20 * verlet_steps), many.duration), "a"}}};
-    pic::save(report.path("planet.png"), note, [&] {
+    pic::save(report.path("planet.png"), note, [&]() -> pic::Sheet {
         const pic::Size half{640, 560};
         const Vector3 from(-0.3, -1.0, 1.5);
         const pic::Fit how{.margin = 0.05, .up = Vector3::UnitZ()};
         pic::Drawing left = orbits(few, euler_path, pic::palette::explicit_euler),
                      right = orbits(many, verlet_path, pic::palette::symplectic);
-        return pic::side_by_side(pic::render(left, pic::fit(left, from, half, how), half),
-                                 pic::render(right, pic::fit(right, from, half, how), half),
-                                 "Euler, 1000 steps a year", "Verlet, 100 steps a year");
+        left.title("Euler, 1000 steps a year"), right.title("Verlet, 100 steps a year");
+        return {{{left, pic::fit(left, from, half, how), half},
+                 {right, pic::fit(right, from, half, how), half}}};
     });
 }
 
@@ -174,13 +174,12 @@ void game_loop_picture(lab::Report& report) {
                          "semi-implicit Euler",
                          "the frame's, or fixed 1/120 s",
                          {}};
-    pic::save(report.path("game_loop.png"), note, [&] {
+    pic::save(report.path("game_loop.png"), note, [&]() -> pic::Sheet {
         const pic::Size half{640, 560};
         pic::Drawing left = landings(false), right = landings(true);
         const pic::Camera camera = pic::fit(left, {0.1, 0.12, 1}, half);
-        return pic::side_by_side(pic::render(left, camera, half),
-                                 pic::render(right, camera, half), "step follows the frame",
-                                 "fixed step, drawn between");
+        left.title("step follows the frame"), right.title("fixed step, drawn between");
+        return {{{left, camera, half}, {right, camera, half}}};
     });
 }
 
@@ -189,7 +188,7 @@ void cover(lab::Report& report) {
     const double orbits_drawn = 26;
     const Planet scene = Planet::for_orbits(orbits_drawn);
     const pic::Note note{report.command(), "planet, e = 0.6", "Verlet", "1/80 orbit", {}};
-    pic::save(report.path("cover.png"), note, [&] {
+    pic::save(report.path("cover.png"), note, [&]() -> pic::Sheet {
         const Path points =
             path(scene, verlet_method, static_cast<long>(orbits_drawn) * steps_an_orbit);
         pic::Drawing drawing;
@@ -205,10 +204,10 @@ void cover(lab::Report& report) {
             drawing.add(pic::Ball{.centre = points[static_cast<std::size_t>(n)],
                                   .radius = 0.05,
                                   .colour = pic::palette::body});
-        return pic::render(drawing,
-                           pic::fit(drawing, {-0.4, -1.3, 0.8}, {1200, 560},
-                                    {.margin = 0.03, .up = Vector3::UnitZ()}),
-                           {1200, 560});
+        return pic::Shot{drawing,
+                         pic::fit(drawing, {-0.4, -1.3, 0.8}, {1200, 560},
+                                  {.margin = 0.03, .up = Vector3::UnitZ()}),
+                         {1200, 560}};
     });
 }
 

@@ -53,7 +53,7 @@ void cart_picture(lab::Report& report) {
         "0.1 s",
         {{"final speed, K = m v with K constant", velocity(told.back()).x(), "m/s"},
          {"final speed, momentum books", velocity(is.back()).x(), "m/s"}}};
-    pic::save(report.path("cart.png"), note, [&] {
+    pic::save(report.path("cart.png"), note, [&]() -> pic::Sheet {
         pic::Drawing drawing;
         const double back = -62, front = 0;
         drawing.ground({.height = 0, .spacing = 10});
@@ -87,9 +87,9 @@ void cart_picture(lab::Report& report) {
         drawing.title("The cart that speeds up by itself")
             .caption("an image every 2 s; carts drawn large");
         const pic::Size size{960, 450};
-        return pic::render(
+        return pic::Shot{
             drawing,
-            pic::fit(drawing, {0, 0.55, 1}, size, {.margin = 0.04, .field_of_view = 0.06}), size);
+            pic::fit(drawing, {0, 0.55, 1}, size, {.margin = 0.04, .field_of_view = 0.06}), size};
     });
 }
 
@@ -109,7 +109,7 @@ void raindrop_picture(lab::Report& report) {
                          {{"speed down at the end", -velocity(drops.back()).y(), "m/s"},
                           {"speed sideways at the end", velocity(drops.back()).x(), "m/s"},
                           {"position, off by", drop.error(drops.back(), drop.duration), "m"}}};
-    pic::save(report.path("raindrop.png"), note, [&] {
+    pic::save(report.path("raindrop.png"), note, [&]() -> pic::Sheet {
         pic::Drawing drawing;
         drawing.ground({.height = 0, .spacing = 5});
         for (int i = 0; i < 240;
@@ -156,8 +156,8 @@ void raindrop_picture(lab::Report& report) {
         drawing.title("Rain is slower than a stone")
             .caption("an image every 0.4 s; lines join the same instants");
         const pic::Size size{620, 800};
-        return pic::render(drawing, pic::fit(drawing, {0.1, 0.12, 1}, size, {.margin = 0.05}),
-                           size);
+        return pic::Shot{drawing, pic::fit(drawing, {0.1, 0.12, 1}, size, {.margin = 0.05}),
+                         size};
     });
 }
 
@@ -176,7 +176,7 @@ void rocket_picture(lab::Report& report) {
          {"position, off by", scene.error(end.rocket, scene.duration), "m"},
          {"momentum of rocket and exhaust, off by",
           (total_momentum(end) - books.exact_momentum(scene.duration)).norm(), "kg m/s"}}};
-    pic::save(report.path("rocket.png"), note, [&] {
+    pic::save(report.path("rocket.png"), note, [&]() -> pic::Sheet {
         pic::Drawing drawing;
         drawing.ground({.height = 0, .spacing = 5});
         const Vector3 axis = -scene.start.flow.velocity.normalized();
@@ -199,8 +199,8 @@ void rocket_picture(lab::Report& report) {
         drawing.title("It climbs on what it throws down")
             .caption("an image every 0.3 s; drops: the water in the air at the last");
         const pic::Size size{620, 760};
-        return pic::render(drawing, pic::fit(drawing, {0.15, 0.15, 1}, size, {.margin = 0.06}),
-                           size);
+        return pic::Shot{drawing, pic::fit(drawing, {0.15, 0.15, 1}, size, {.margin = 0.06}),
+                         size};
     });
 }
 

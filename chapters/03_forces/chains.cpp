@@ -88,7 +88,9 @@ void draw_chain(lab::Report& report, const Particles& hung, const HangingChain& 
                lab::rounded(dt, "%g s"),
                {{"largest distance to the exact shape", error, "m"},
                 {"largest distance to the cosh", cosh_gap, "m"}}},
-              [&] { return pic::render(drawing, camera); });
+              [&]() -> pic::Sheet {
+                  return pic::Shot{drawing, camera};
+              });
 }
 
 void hang_a_chain(lab::Report& report) {
@@ -250,8 +252,8 @@ pic::Mesh stripes(const SpringNet& net, const Particles& all, const Vector3& lif
     return mesh;
 }
 
-pic::Image draw_cloth(const SpringNet& net, const Particles& all, pic::Size size,
-                      const std::string& title, const std::string& caption) {
+pic::Shot draw_cloth(const SpringNet& net, const Particles& all, pic::Size size,
+                     const std::string& title, const std::string& caption) {
     const Vector3 lift(0, 2, 0);
     pic::Drawing drawing;
     drawing.add(stripes(net, all, lift, 0, pic::palette::body));
@@ -266,7 +268,7 @@ pic::Image draw_cloth(const SpringNet& net, const Particles& all, pic::Size size
     if (!caption.empty()) drawing.caption(caption);
     const pic::Camera camera{
         .eye = {1.9, 1.7, 4.3}, .target = {0.56, 1.05, 0}, .field_of_view = 0.55};
-    return pic::render(drawing, camera, size);
+    return {drawing, camera, size};
 }
 
 double farthest(const Particles& a, const Particles& b) {
@@ -304,7 +306,7 @@ void hang_a_cloth(lab::Report& report) {
                "semi-implicit Euler",
                lab::rounded(settle_dt, "%g s"),
                {{"fastest particle", speed, "m/s"}}},
-              [&] {
+              [&]() -> pic::Sheet {
                   return draw_cloth(net, net.start, {}, "A cloth hung up by two corners",
                                     "24 x 24 particles, springs to the next, across, and to the "
                                     "next but one; at rest");
@@ -342,11 +344,9 @@ void hang_a_cloth(lab::Report& report) {
          {{"steps", double(steps), ""},
           {"strays at 0.99", farthest(below, net.start), "m"},
           {"strays at 1.01", farthest(above, net.start), "m"}}},
-        [&] {
-            return pic::side_by_side(draw_cloth(net, below, {560, 540}, "", ""),
-                                     draw_cloth(net, above, {560, 540}, "", ""),
-                                     "0.99 of the limit, " + after,
-                                     "1.01 of the limit, " + after);
+        [&]() -> pic::Sheet {
+            return {{draw_cloth(net, below, {560, 540}, "0.99 of the limit, " + after, ""),
+                     draw_cloth(net, above, {560, 540}, "1.01 of the limit, " + after, "")}};
         });
 }
 

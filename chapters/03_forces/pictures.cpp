@@ -49,7 +49,7 @@ void limit_picture(lab::Report& report) {
         "Verlet",
         "0.99 and 1.01 times 2/omega",
         {{"stretch after 8 steps at 0.99", far(0.99), "m"}, {"at 1.01", far(1.01), "m"}}};
-    pic::save(report.path("limit.png"), note, [&] {
+    pic::save(report.path("limit.png"), note, [&]() -> pic::Sheet {
         const pic::Size half{640, 500};
         const auto drawing_of = [&](double part) {
             pic::Drawing drawing;
@@ -74,11 +74,10 @@ void limit_picture(lab::Report& report) {
                                    .shadow = false});
             return drawing;
         };
-        const pic::Drawing left = drawing_of(0.99), right = drawing_of(1.01);
+        pic::Drawing left = drawing_of(0.99), right = drawing_of(1.01);
+        left.title("0.99 of the limit"), right.title("1.01 of the limit");
         const pic::Camera camera = pic::fit(right, {0, 0.05, 1}, half);
-        return pic::side_by_side(pic::render(left, camera, half),
-                                 pic::render(right, camera, half), "0.99 of the limit",
-                                 "1.01 of the limit");
+        return {{{left, camera, half}, {right, camera, half}}};
     });
 }
 
@@ -102,7 +101,7 @@ void damped_picture(lab::Report& report) {
                          "1/8 s",
                          {{"largest error, drag in the kick", naive_off, "m"},
                           {"exponential half-kicks", good_off, "m"}}};
-    pic::save(report.path("damped_spring.png"), note, [&] {
+    pic::save(report.path("damped_spring.png"), note, [&]() -> pic::Sheet {
         const pic::Size half{640, 340};
         const auto drawing_of = [&](const Path& points, pic::Colour colour) {
             pic::Drawing drawing;
@@ -115,12 +114,11 @@ void damped_picture(lab::Report& report) {
                                       .colour = colour});
             return drawing;
         };
-        const pic::Drawing left = drawing_of(naive, pic::palette::symplectic),
-                           right = drawing_of(good, pic::palette::exponential);
+        pic::Drawing left = drawing_of(naive, pic::palette::symplectic),
+                     right = drawing_of(good, pic::palette::exponential);
         const pic::Camera camera = pic::fit(left, {0, 0.05, 1}, half);
-        return pic::side_by_side(pic::render(left, camera, half),
-                                 pic::render(right, camera, half), "drag in the kick",
-                                 "exponential half-kicks");
+        left.title("drag in the kick"), right.title("exponential half-kicks");
+        return {{{left, camera, half}, {right, camera, half}}};
     });
 }
 
@@ -135,7 +133,7 @@ void throws_picture(lab::Report& report) {
         "0.25 s between images",
         {{"no drag, off at 2.5 s", distance(none.exact(2.5), air.exact(2.5)), "m"},
          {"linear drag, off at 2.5 s", distance(honey.exact(2.5), air.exact(2.5)), "m"}}};
-    pic::save(report.path("throws.png"), note, [&] {
+    pic::save(report.path("throws.png"), note, [&]() -> pic::Sheet {
         pic::Drawing drawing;
         drawing.ground({.height = -0.5, .spacing = 5});
         const auto add = [&](const ThrowInAir& scene, const char* words, pic::Colour colour) {
@@ -153,7 +151,7 @@ void throws_picture(lab::Report& report) {
         add(air, "quadratic", pic::palette::body);
         drawing.title("One throw, three models of drag")
             .caption("a ball of 1 kg, radius 10 cm, at 18 m/s; an image every 0.25 s");
-        return pic::render(drawing, pic::fit(drawing, {0.12, 0.18, 1}));
+        return pic::Shot{drawing, pic::fit(drawing, {0.12, 0.18, 1})};
     });
 }
 
@@ -181,7 +179,7 @@ void clock_picture(lab::Report& report) {
     report.number("picture.clock.verlet",
                   scene.error(lab::run(scene, verlet_method, steps), scene.duration), "a");
     report.number("picture.clock.leapfrog", scene.error(planet.body, planet.time), "a");
-    pic::save(report.path("clock.png"), note, [&] {
+    pic::save(report.path("clock.png"), note, [&]() -> pic::Sheet {
         const pic::Size half{640, 520};
         const auto drawing_of = [&](const Path& points) {
             pic::Drawing drawing;
@@ -201,12 +199,11 @@ void clock_picture(lab::Report& report) {
                     pic::Ball{.centre = p, .radius = 0.04, .colour = pic::palette::symplectic});
             return drawing;
         };
-        const pic::Drawing left = drawing_of(by_time), right = drawing_of(by_clock);
+        pic::Drawing left = drawing_of(by_time), right = drawing_of(by_clock);
+        left.title("Verlet, equal times"), right.title("logarithmic leapfrog");
         const pic::Fit how{.margin = 0.06, .up = Vector3::UnitY()};
         const pic::Camera camera = pic::fit(left, {0, 0, 1}, half, how);
-        return pic::side_by_side(pic::render(left, camera, half),
-                                 pic::render(right, pic::fit(right, {0, 0, 1}, half, how), half),
-                                 "Verlet, equal times", "logarithmic leapfrog");
+        return {{{left, camera, half}, {right, pic::fit(right, {0, 0, 1}, half, how), half}}};
     });
 }
 

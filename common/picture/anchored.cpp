@@ -15,9 +15,10 @@ double overlap(const Taken& a, const Taken& b) {
 
 }  // namespace
 
-void draw_anchored(Image& image, const std::vector<AnchoredWords>& all, double height,
-                   std::vector<Taken> taken) {
+std::vector<Line> place_anchored(Size size, const std::vector<AnchoredWords>& all, double height,
+                                 std::vector<Taken> taken) {
     const double edge = 0.3 * height;
+    std::vector<Line> lines;
     for (const AnchoredWords& words : all) {
         if (words.text.empty()) continue;
         const double width = text_width(words.text, height, Weight::bold), rise = 0.72 * height;
@@ -33,9 +34,8 @@ void draw_anchored(Image& image, const std::vector<AnchoredWords>& all, double h
                 const double cx = words.x + c * away + side * width / 2,
                              cy = words.y + s * away + level * rise / 2;
                 const double left =
-                    std::clamp(cx - width / 2, edge, std::max(edge, image.width - width - edge));
-                const double top =
-                    std::clamp(cy - rise / 2, edge, std::max(edge, image.height - rise - edge));
+                    std::clamp(cx - width / 2, edge, std::max(edge, size.width - width - edge));
+                const double top = std::clamp(cy - rise / 2, edge, std::max(edge, size.height - rise - edge));
                 const Taken place{left, top, left + width, top + rise};
                 double cost = 0.15 * height * (turn + 4 * ring);
                 for (const Taken& other : taken) cost += other.weight * overlap(place, other);
@@ -47,10 +47,13 @@ void draw_anchored(Image& image, const std::vector<AnchoredWords>& all, double h
                 }
             }
         }
-        draw_text(image, best.left, best.bottom, words.text, height, Weight::bold, words.ink);
+        Line line{.text = words.text, .left = best.left, .right = best.right, .baseline = best.bottom};
+        line.height = height, line.ink = words.ink, line.ends = best.right < words.x;
+        lines.push_back(std::move(line));
         const double air = 0.3 * height;  // more than a halo
         taken.push_back({best.left - air, best.top - air, best.right + air, best.bottom + air, 5});
     }
+    return lines;
 }
 
 }  // namespace nutshell::picture

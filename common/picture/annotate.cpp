@@ -10,6 +10,18 @@ using Eigen::Vector3d;
 
 namespace {
 
+/// Sizes of letters [pixels].
+struct Letters {
+    double title, caption, label, edge;
+};
+
+/// Half pictures keep their letters readable; on a phone they are as large as its text.
+Letters letters_for(int width) {
+    if (width < 480) return {16, 13, 14, 9};
+    const double scale = std::max(0.75, width / 960.0);
+    return {27 * scale, 19 * scale, 22 * scale, 20 * scale};
+}
+
 /// What labels had better not cover: balls and trails.
 std::vector<Taken> covered(const Drawing& drawing, const Camera& camera, Size size) {
     std::vector<Taken> all;
@@ -36,29 +48,34 @@ std::vector<Taken> covered(const Drawing& drawing, const Camera& camera, Size si
 
 }  // namespace
 
-void write_words(Image& image, const Drawing& drawing, const Camera& camera, Size size) {
-    const double scale = std::max(0.75, size.width / 960.0);  // half pictures keep their letters readable
-    const double title_height = 27 * scale, caption_height = 19 * scale, label_height = 22 * scale,
-                 edge = 20 * scale;
+std::vector<Line> place_words(const Drawing& drawing, const Camera& camera, Size size) {
+    const Letters letters = letters_for(size.width);
     const Colour quiet = mix(palette::ink, palette::paper, 0.25F);
-    std::vector<Taken> taken;
-    auto write = [&](double x, double baseline, const std::string& text, double height, Weight weight,
+    std::vector<Line> lines;
+    auto write = [&](Line::Part part, const std::string& text, double height, Weight weight,
                      const Colour& ink) {
-        draw_text(image, x, baseline, text, height, weight, ink);
-        taken.push_back(
-            {x - 4, baseline - height, x + text_width(text, height, weight) + 4, baseline + 0.3 * height, 5});
+        const bool right = part == Line::Part::grid;
+        const double width = text_width(text, height, weight), edge = letters.edge;
+        const double left = right ? size.width - edge - width : edge;
+        const double baseline = part == Line::Part::title ? edge + 0.8 * height : size.height - edge;
+        lines.push_back({part, text, left, left + width, baseline, height, weight, ink, right});
     };
+    using Part = Line::Part;
     if (!drawing.title().empty()) {
-        write(edge, edge + 0.8 * title_height, drawing.title(), title_height, Weight::bold, palette::ink);
+        write(Part::title, drawing.title(), letters.title, Weight::bold, palette::ink);
     }
     if (!drawing.caption().empty()) {
-        write(edge, size.height - edge, drawing.caption(), caption_height, Weight::regular, quiet);
+        write(Part::caption, drawing.caption(), letters.caption, Weight::regular, quiet);
     }
     if (drawing.ground().visible) {
         const double spacing = grid_spacing(drawing.ground(), frame_of(drawing, camera).unit);
         const std::string words = "grid " + written_length(spacing, drawing.ground().unit);
-        const double width = text_width(words, caption_height, Weight::regular);
-        write(size.width - edge - width, size.height - edge, words, caption_height, Weight::regular, quiet);
+        write(Part::grid, words, letters.caption, Weight::regular, quiet);
+    }
+    std::vector<Taken> taken;
+    for (const Line& line : lines) {
+        taken.push_back({line.left - 4, line.baseline - line.height, line.right + 4,
+                         line.baseline + 0.3 * line.height, 5});
     }
     for (const Taken& thing : covered(drawing, camera, size)) taken.push_back(thing);
     std::vector<AnchoredWords> anchored;
@@ -73,7 +90,10 @@ void write_words(Image& image, const Drawing& drawing, const Camera& camera, Siz
         anchor(arrow.from + arrow.vector, tip.x() - foot.x(), tip.y() - foot.y(), arrow.label, arrow.colour);
     }
     for (const Label& label : drawing.labels()) anchor(label.at, 1, -1, label.text, label.colour);
-    draw_anchored(image, anchored, label_height, std::move(taken));
+    for (Line& line : place_anchored(size, anchored, letters.label, std::move(taken))) {
+        lines.push_back(std::move(line));
+    }
+    return lines;
 }
 
 }  // namespace nutshell::picture

@@ -1,37 +1,27 @@
 #include "nutshell/picture/colour.hpp"
 
-#include <stdexcept>
-#include <string>
+#include <array>
+#include <cmath>
+#include <cstdio>
 
 namespace nutshell::picture {
 
-namespace {
-
-int digit(char c) {
-    if (c >= '0' && c <= '9') return c - '0';
-    if (c >= 'a' && c <= 'f') return c - 'a' + 10;
-    if (c >= 'A' && c <= 'F') return c - 'A' + 10;
-    return -1;
-}
-
-}  // namespace
-
-Colour hex(std::string_view text) {
-    const std::string_view digits = text.substr(text.starts_with('#') ? 1 : 0);
-    bool good = digits.size() == 6;
-    for (char c : digits) good = good && digit(c) >= 0;
-    if (!good) {
-        throw std::invalid_argument("hex: '" + std::string(text) + "' is not a colour like #D55E00");
-    }
-    auto channel = [&](std::size_t i) {
-        return float(16 * digit(digits[i]) + digit(digits[i + 1])) / 255.0F;
-    };
-    return {channel(0), channel(2), channel(4)};
+std::string web(const Colour& colour, Theme theme) {
+    const Colour c = colour.on(theme);
+    std::array<char, 8> text{};
+    auto level = [](float x) { return static_cast<unsigned>(std::lround(255 * x)) & 0xFFU; };
+    std::snprintf(text.data(), text.size(), "#%02x%02x%02x", level(c.red), level(c.green), level(c.blue));
+    return text.data();
 }
 
 Colour mix(const Colour& a, const Colour& b, float share) {
     auto between = [share](float x, float y) { return x + share * (y - x); };
-    return {between(a.red, b.red), between(a.green, b.green), between(a.blue, b.blue)};
+    return {between(a.red, b.red),
+            between(a.green, b.green),
+            between(a.blue, b.blue),
+            between(a.dark_red, b.dark_red),
+            between(a.dark_green, b.dark_green),
+            between(a.dark_blue, b.dark_blue)};
 }
 
 }  // namespace nutshell::picture

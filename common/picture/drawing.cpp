@@ -40,6 +40,9 @@ void need_points(const std::vector<Vector3d>& points, const char* what) {
 Drawing& Drawing::add(const Ball& thing) {
     need_finite(thing.centre, "Ball::centre");
     need_positive(thing.radius, "Ball::radius");
+    if (thing.orientation && !(std::abs(thing.orientation->norm() - 1) < 1e-6)) {
+        refuse("Ball::orientation", "is no rotation: its quaternion must have length 1");
+    }
     balls_.push_back(thing);
     return *this;
 }
@@ -151,6 +154,11 @@ Drawing& Drawing::stage(const Extent& ball) {
     return *this;
 }
 
+Drawing& Drawing::theme(Theme theme) {
+    theme_ = theme;
+    return *this;
+}
+
 Drawing& Drawing::title(std::string text) {
     title_ = std::move(text);
     return *this;
@@ -239,7 +247,7 @@ void add(Drawing& drawing, const Stroboscope& s) {
     }
     if (s.computed.size() > 1) drawing.add(Trail{.points = s.computed, .colour = s.colour});
     for (const Vector3d& centre : s.computed) {
-        drawing.add(Ball{.centre = centre, .radius = s.radius, .colour = s.colour});
+        drawing.add(Ball{.centre = centre, .radius = s.radius, .colour = s.colour, .contact_shadow = true});
     }
 }
 

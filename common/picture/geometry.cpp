@@ -62,6 +62,24 @@ Triangles unit_ball(int rings) {
     return out;
 }
 
+Triangles unit_octants(int rings, bool even) {
+    const int quarter = (rings + 1) / 2;
+    Triangles out;
+    for (int octant = 0; octant < 8; ++octant) {
+        const int lower = octant / 4,
+                  turn = octant % 4;  // z is positive in the quarters 2 and 3: round_y turns that way
+        const bool positive = (turn == 0 || turn == 3) == (turn >= 2) ? lower == 0 : lower == 1;
+        if (positive != even) continue;
+        push_grid(out, quarter, quarter, [&](int ring, int side) {
+            const double polar = pi / 2 * (lower + double(ring) / quarter);
+            const Vector3d p = std::sin(polar) * round_y(turn * quarter + side, 4 * quarter) +
+                               std::cos(polar) * Vector3d::UnitY();
+            return Corner{p, p};
+        });
+    }
+    return out;
+}
+
 Triangles unit_rod(int sides) {
     Triangles out;
     const Vector3d y = Vector3d::UnitY(), origin = Vector3d::Zero();

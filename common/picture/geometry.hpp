@@ -21,6 +21,8 @@ struct Triangles {
 
 /// Radius 1 about the origin; `rings` from pole to pole.
 Triangles unit_ball(int rings);
+/// The four octants of the ball in which x y z is positive, or the other four.
+Triangles unit_octants(int rings, bool even);
 /// Radius 1 about y, from y = 0 to 1, with its end discs.
 Triangles unit_rod(int sides);
 /// Base of radius 1 at y = 0, tip at y = 1.

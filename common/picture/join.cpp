@@ -28,8 +28,9 @@ Image join(const std::vector<Image>& cells, const std::vector<std::string>& word
     for (std::size_t i = 0; i < cells.size(); ++i) {
         const int left = (int(i) % columns) * (width + gap), top = (int(i) / columns) * (height + gap);
         copy(cells[i], out, left, top);
-        draw_text(out, left + 0.7 * letters, top + 1.4 * letters, words[i], letters, Weight::bold,
-                  palette::ink);
+        Line line{.text = words[i], .left = left + 0.7 * letters, .baseline = top + 1.4 * letters};
+        line.height = letters;
+        write_words(out, {line}, Theme::light);
     }
     return out;
 }

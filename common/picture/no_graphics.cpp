@@ -2,6 +2,7 @@
 // pictures.
 #include "nutshell/picture/render.hpp"
 
+#include "nutshell/picture/sheet.hpp"
 #include "png.hpp"
 
 namespace nutshell::picture {
@@ -15,6 +16,12 @@ std::string reason() {
 }  // namespace
 
 Image render(const Drawing&, const Camera&, Size, const Quality&) {
+    throw NoGraphics(reason());
+}
+Image render_bare(const Drawing&, const Camera&, Size, const Quality&) {
+    throw NoGraphics(reason());
+}
+Printed print(const Sheet&, const std::string&) {
     throw NoGraphics(reason());
 }
 Image side_by_side(const Image&, const Image&, const std::string&, const std::string&) {

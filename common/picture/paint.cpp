@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <stdexcept>
 
@@ -34,18 +35,8 @@ class Painter {
           projection_(fit_depths()),
           sun_view_(sun_view(pieces_.casters(), sun_)) {}
 
-    Image paint() {
-        const gl::Canvas canvas(int(samples_.x()), int(samples_.y()));
-        draw_on(canvas);
-        const std::vector<unsigned char> samples = canvas.pixels();
-        if (const GLenum error = glGetError(); error != GL_NO_ERROR) {
-            throw std::runtime_error("picture: OpenGL error " + std::to_string(error));
-        }
-        return average(samples);
-    }
-
-    template <class Target>
-    void draw_on(const Target& canvas) {
+    /// @param use_target makes the frame to be drawn on the current one
+    void draw_on(const std::function<void()>& use_target) {
         const gl::ShadowMap shadows(quality_.shadow_map);
         const Triangles& list = pieces_.triangles();
         const gl::Buffer things(list.vertices.data(), list.vertices.size() * sizeof(Vertex), {3, 3},
@@ -54,7 +45,7 @@ class Painter {
         glEnable(GL_DEPTH_TEST);
         glDepthFunc(GL_LEQUAL);
         paint_shadow_map(shadows, things);
-        canvas.use();
+        use_target();
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
         glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
         shadows.bind();
@@ -89,6 +80,8 @@ class Painter {
         }
         return projection(view_, eye_, std::clamp(0.6 * nearest, 2e-3 * focus, focus), farthest);
     }
+
+    Vector3f light(const Colour& colour) const { return linear(colour, drawing_.theme()); }
 
     double ground_reach() const { return 40 + 4 * eye_.norm(); }
 
@@ -128,8 +121,8 @@ class Painter {
             drawing_.ground().visible ? std::clamp(0.5 - 0.5 * slope / view_.tangent, -2.0, 2.0) : 0.0;
         glDisable(GL_DEPTH_TEST);
         studio_.sky.use();
-        studio_.sky.set("top", linear(drawing_.sky().top));
-        studio_.sky.set("horizon", linear(drawing_.sky().horizon));
+        studio_.sky.set("top", light(drawing_.sky().top));
+        studio_.sky.set("horizon", light(drawing_.sky().horizon));
         studio_.sky.set("horizon_height", std::min(horizon, 0.9));
         const gl::Buffer nothing(nullptr, 0, {});
         glDrawArrays(GL_TRIANGLES, 0, 3);
@@ -155,13 +148,15 @@ class Painter {
         set_light(program);
         program.set("model", Eigen::Matrix4f(Eigen::Matrix4f::Identity()));
         program.set("normal_matrix", Eigen::Matrix3f(Eigen::Matrix3f::Identity()));
-        program.set("colour", linear(palette::ground));
-        program.set("horizon", linear(drawing_.sky().horizon));
+        program.set("colour", light(palette::ground));
+        program.set("horizon", light(drawing_.sky().horizon));
         program.set("focus", Vector3f(focus.cast<float>()));
         program.set("grid_u", Vector3f(grid.u.cast<float>()));
         program.set("grid_v", Vector3f(grid.v.cast<float>()));
         program.set("grid_offset", Eigen::Vector2f(offset(grid.u), offset(grid.v)));
         program.set("samples", double(quality_.samples));
+        program.set("ink", drawing_.theme() == Theme::dark ? Vector3f(1.75F, 1.75F, 1.75F)
+                                                           : Vector3f(0.60F, 0.63F, 0.68F));
         program.set("squares", frame_.unit / spacing);
         glDrawArrays(GL_TRIANGLES, 0, 6);
     }
@@ -256,7 +251,7 @@ class Painter {
             studio_.trail.set("half_width", width / 2);
             studio_.trail.set("dash", trail.dashed ? 3.6 * width : 0.0);
             studio_.trail.set("gap", trail.dashed ? 2.6 * width : 0.0);
-            const Vector3f colour = shadows ? linear(palette::shadow) : linear(trail.colour);
+            const Vector3f colour = light(shadows ? palette::shadow : trail.colour);
             for (const auto& run : visible_runs(trail, shadows)) {
                 const std::vector<RibbonVertex> strip = ribbon(run, colour, width / 2, samples_);
                 if (strip.empty()) continue;
@@ -274,7 +269,6 @@ class Painter {
             2e-3;  // share of the way to the eye, so that a line on a surface is not swallowed
         const double start = trail.opacity_at_start < 0 ? trail.opacity : trail.opacity_at_start;
         const double fall = up_.dot(sun_);
-        std::vector<std::vector<RibbonPoint>> runs(1);
         std::vector<std::pair<Vector3d, double>> points;
         for (std::size_t i = 0; i < trail.points.size(); ++i) {
             Vector3d p = frame_(trail.points[i]);
@@ -287,43 +281,7 @@ class Painter {
             }
             points.emplace_back(p + lift * (eye_ - p), opacity);
         }
-        const double edge = 1.01 * projection_.near;
-        for (std::size_t i = 0; i < points.size(); ++i) {
-            const Vector4d clip = to_clip(points[i].first);
-            const bool inside = clip.w() > edge;
-            if (i > 0) {
-                const Vector4d before = to_clip(points[i - 1].first);
-                if (inside != (before.w() > edge)) {
-                    const double share = (edge - before.w()) / (clip.w() - before.w());
-                    const Vector4d cut = before + share * (clip - before);
-                    if (inside) runs.emplace_back();
-                    runs.back().push_back({cut, points[i].second});
-                }
-            }
-            if (inside) runs.back().push_back({clip, points[i].second});
-        }
-        return runs;
-    }
-
-    Image average(const std::vector<unsigned char>& samples) const {
-        const int n = quality_.samples, half = n * n / 2;
-        Image image{size_.width, size_.height, {}};
-        image.rgb.resize(3 * std::size_t(size_.width) * std::size_t(size_.height));
-        const std::size_t row = 3 * std::size_t(size_.width) * std::size_t(n);
-        std::size_t out = 0;
-        for (int y = 0; y < size_.height; ++y) {
-            for (int x = 0; x < size_.width; ++x) {
-                for (std::size_t c = 0; c < 3; ++c) {
-                    int sum = half;
-                    for (int j = 0; j < n; ++j) {
-                        const std::size_t first = row * std::size_t(y * n + j) + 3 * std::size_t(x * n) + c;
-                        for (int i = 0; i < n; ++i) sum += samples[first + 3 * std::size_t(i)];
-                    }
-                    image.rgb[out++] = std::uint8_t(sum / (n * n));
-                }
-            }
-        }
-        return image;
+        return cut_runs(points, projection_.matrix, 1.01 * projection_.near);
     }
 
     Studio& studio_;
@@ -342,20 +300,9 @@ class Painter {
 
 }  // namespace
 
-Image paint(Studio& studio, const Drawing& drawing, const Camera& camera, Size size, const Quality& quality) {
-    return Painter(studio, drawing, camera, size, quality).paint();
-}
-
-void draw(Studio& studio, const Drawing& drawing, const Camera& camera, Size size, const Quality& quality) {
-    struct Screen {
-        Size size;
-        void use() const {
-            glBindFramebuffer(GL_FRAMEBUFFER, 0);
-            glViewport(0, 0, size.width, size.height);  // in samples
-        }
-    };
-    const int n = quality.samples;
-    Painter(studio, drawing, camera, size, quality).draw_on(Screen{{n * size.width, n * size.height}});
+void draw(Studio& studio, const Drawing& drawing, const Camera& camera, Size size, const Quality& quality,
+          const std::function<void()>& use_target) {
+    Painter(studio, drawing, camera, size, quality).draw_on(use_target);
 }
 
 }  // namespace nutshell::picture

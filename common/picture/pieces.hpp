@@ -24,7 +24,7 @@ struct Frame {
 Frame frame_of(const Drawing& drawing, const Camera& camera);
 
 /// The sRGB colour as an amount of light.
-Eigen::Vector3f linear(const Colour& colour);
+Eigen::Vector3f linear(const Colour& colour, Theme theme);
 
 /// Indices of triangles, one after another.
 struct Run {
@@ -52,7 +52,7 @@ class Pieces {
     const std::vector<Extent>& casters() const { return casters_; }
 
   private:
-    enum class Shape { ball, rod, cone };
+    enum class Shape { ball, rod, cone, even_octants, odd_octants };
     Run append(const Triangles& more);
     Run shared(Shape shape, int detail);
     void place(Run run, Run shadow_run, const Eigen::Matrix3d& linear, const Eigen::Vector3d& at,
@@ -63,10 +63,14 @@ class Pieces {
     double depth(const Eigen::Vector3d& at) const;
     int detail(const Eigen::Vector3d& at, double radius) const;
     void add_arrow(const Arrow& arrow);
+    void add_ball(const Ball& ball, const Piece& given);
+    void add_box(const Box& box, const Piece& given);
+    void mark_faces(const Box& box, const Eigen::Vector3d& half);
 
     const Frame frame_;
     const View view_;
     const double pixel_;
+    const Theme theme_;
     Triangles triangles_;
     std::vector<Piece> pieces_;
     std::vector<Extent> casters_;

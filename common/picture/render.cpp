@@ -23,7 +23,7 @@ Studio& the_studio(const std::lock_guard<std::mutex>&) {
 
 }  // namespace
 
-Image render(const Drawing& drawing, const Camera& camera, Size size, const Quality& quality) {
+Image render_bare(const Drawing& drawing, const Camera& camera, Size size, const Quality& quality) {
     const int most = 4096;
     if (size.width < 1 || size.height < 1 || size.width > most || size.height > most) {
         throw std::invalid_argument("picture: a size must be 1 to 4096 pixels each way, not " +
@@ -36,8 +36,12 @@ Image render(const Drawing& drawing, const Camera& camera, Size size, const Qual
     check(camera);
     const std::lock_guard<std::mutex> lock(studio_door());
     the_studio(lock).context.use();
-    Image image = paint(the_studio(lock), drawing, camera, size, quality);
-    write_words(image, drawing, camera, size);
+    return paint(the_studio(lock), drawing, camera, size, quality);
+}
+
+Image render(const Drawing& drawing, const Camera& camera, Size size, const Quality& quality) {
+    Image image = render_bare(drawing, camera, size, quality);
+    write_words(image, place_words(drawing, camera, size), drawing.theme());
     return image;
 }
 

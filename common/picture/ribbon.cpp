@@ -15,6 +15,24 @@ struct Flat {
 
 }  // namespace
 
+std::vector<std::vector<RibbonPoint>> cut_runs(const std::vector<std::pair<Eigen::Vector3d, double>>& points,
+                                               const Eigen::Matrix4d& to_clip, double nearest) {
+    std::vector<std::vector<RibbonPoint>> runs(1);
+    Vector4d before;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const Vector4d clip = to_clip * points[i].first.homogeneous();
+        const bool inside = clip.w() > nearest;
+        if (i > 0 && inside != (before.w() > nearest)) {
+            const double share = (nearest - before.w()) / (clip.w() - before.w());
+            if (inside) runs.emplace_back();
+            runs.back().push_back({before + share * (clip - before), points[i].second});
+        }
+        if (inside) runs.back().push_back({clip, points[i].second});
+        before = clip;
+    }
+    return runs;
+}
+
 std::vector<RibbonVertex> ribbon(const std::vector<RibbonPoint>& points, const Eigen::Vector3f& colour,
                                  double half_width, const Vector2d& size) {
     const double closest = 0.5;  // points nearer than this to the last one say nothing new [pixels]

@@ -40,6 +40,25 @@ fs::path note_of(const fs::path& file) {
     return fs::path(file).replace_extension(".txt");
 }
 
+fs::path page_of(const fs::path& file) {
+    return fs::path(file).replace_extension(".page.html");
+}
+
+/// Draws; without graphics, says so in the note and takes older pictures away.
+bool save_or_say(const fs::path& file, const Note& note, const std::function<void()>& draw) {
+    const fs::path beside = note_of(file);
+    try {
+        draw();
+        return true;
+    } catch (const NoGraphics& reason) {
+        std::error_code none;
+        for (const fs::path& old : {file, page_of(file)}) fs::remove(old, none);
+        write_file(beside, words(note, std::string("not drawn: ") + reason.what()));
+        std::cerr << file.string() << " is not drawn: " << reason.what() << "\n";
+        return false;
+    }
+}
+
 }  // namespace
 
 void save(const Image& image, const fs::path& file, const Note& note) {
@@ -54,17 +73,18 @@ void save(const Image& image, const fs::path& file, const Note& note) {
 }
 
 bool save(const fs::path& file, const Note& note, const std::function<Image()>& draw) {
-    const fs::path beside = note_of(file);
-    try {
-        save(draw(), file, note);
-        return true;
-    } catch (const NoGraphics& reason) {
-        std::error_code none;
-        fs::remove(file, none);
-        write_file(beside, words(note, std::string("not drawn: ") + reason.what()));
-        std::cerr << file.string() << " is not drawn: " << reason.what() << "\n";
-        return false;
-    }
+    return save_or_say(file, note, [&] { save(draw(), file, note); });
+}
+
+bool save(const fs::path& file, const Note& note, const std::function<Sheet()>& draw) {
+    return save_or_say(file, note, [&] {
+        const Printed printed = print(draw(), file.stem().string());
+        for (const auto& [name, bytes] : printed.files) write_file(file.parent_path() / name, bytes);
+        write_file(page_of(file), printed.page);
+        write_file(file, printed.png);
+        write_file(note_of(file), words(note, "drawn: " + std::to_string(printed.width) + " x " +
+                                                  std::to_string(printed.height)));
+    });
 }
 
 }  // namespace nutshell::picture

@@ -69,7 +69,7 @@ void main() {
 /// The ground: a grid that fades with the distance from the drawing into the sky's horizon.
 inline constexpr const char* ground_fragment = R"(
 in vec3 world, facing;
-uniform vec3 colour, horizon, focus, grid_u, grid_v;
+uniform vec3 colour, horizon, focus, grid_u, grid_v, ink;   // ink: what a line of the grid makes of the ground
 uniform vec2 grid_offset;          // of the world's origin, in squares, modulo ten
 uniform float squares;             // in one unit of length
 uniform float samples;             // of a pixel along each side
@@ -83,10 +83,10 @@ float lines(vec2 at, float width) {
 void main() {
     vec2 at = vec2(dot(world, grid_u), dot(world, grid_v)) * squares + grid_offset;
     float distance = length(world - focus), near = exp(-0.045 * distance * distance);
-    float ink = max(0.50 * lines(at, 1.1 * samples), 0.85 * lines(at / 5.0, 1.5 * samples));
+    float line = max(0.50 * lines(at, 1.1 * samples), 0.85 * lines(at / 5.0, 1.5 * samples));
     float lit = sunlight(world, up);
     vec3 light = mix(horizon, colour, near);
-    light *= mix(vec3(1.0), vec3(0.60, 0.63, 0.68), ink * near);
+    light *= mix(vec3(1.0), ink, line * near);
     light *= mix(vec3(0.42, 0.46, 0.54), vec3(1.0), lit);
     pixel = vec4(pow(light, vec3(1.0 / 2.2)), 1.0);
 })";

@@ -1,5 +1,6 @@
 // What pictures share: the context and its programs, made once and kept.
 #pragma once
+#include <functional>
 #include <string>
 
 #include "gl.hpp"
@@ -18,10 +19,12 @@ struct Studio {
     gl::Program glow{shaders::trail_vertex, shaders::glow_fragment};
 };
 
-/// Draws everything but words. The studio's context must be the current one, and the arguments good.
-Image paint(Studio& studio, const Drawing& drawing, const Camera& camera, Size size, const Quality& quality);
+/// Draws everything but words on the frame that `use_target` makes current. The studio's context must be the
+/// current one, and the arguments good.
+void draw(Studio& studio, const Drawing& drawing, const Camera& camera, Size size, const Quality& quality,
+          const std::function<void()>& use_target);
 
-/// The same on the screen the context has (a page's canvas), its samples side by side, and nothing read back.
-void draw(Studio& studio, const Drawing& drawing, const Camera& camera, Size size, const Quality& quality);
+/// The same, read back.
+Image paint(Studio& studio, const Drawing& drawing, const Camera& camera, Size size, const Quality& quality);
 
 }  // namespace nutshell::picture

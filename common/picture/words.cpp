@@ -153,12 +153,14 @@ double text_width(const std::string& text, double height, Weight weight) {
     return lay_out(text, height, font(weight), [](int, double) {});
 }
 
-void draw_text(Image& image, double x, double baseline, const std::string& text, double height, Weight weight,
-               const Colour& ink, const Colour& halo) {
-    const double halo_radius = 0.16 * height;
-    const Coverage letters = cover(text, x, baseline, height, font(weight), int(std::ceil(halo_radius)) + 1);
-    blend(image, grown(letters, halo_radius), halo, 0.72F);
-    blend(image, letters, ink, 1);
+void write_words(Image& image, const std::vector<Line>& lines, Theme theme) {
+    for (const Line& line : lines) {
+        const double halo_radius = 0.16 * line.height;
+        const Coverage letters = cover(line.text, line.left, line.baseline, line.height, font(line.weight),
+                                       int(std::ceil(halo_radius)) + 1);
+        blend(image, grown(letters, halo_radius), palette::paper.on(theme), 0.72F);
+        blend(image, letters, line.ink.on(theme), 1);
+    }
 }
 
 }  // namespace nutshell::picture

@@ -1,4 +1,5 @@
-// Text on pictures: set in Lato, with a halo so that it can be read on anything.
+// Words on pictures: where they stand, and their letters. A page shows them as text over the picture; a picture
+// that stands alone has them drawn in.
 #pragma once
 #include <string>
 #include <vector>
@@ -15,9 +16,18 @@ enum class Weight { regular, bold };
 /// @param height of the letters' line [pixels]
 double text_width(const std::string& text, double height, Weight weight);
 
-/// Draws one line of UTF-8 text. @param x, baseline [pixels from the top left corner]
-void draw_text(Image& image, double x, double baseline, const std::string& text, double height, Weight weight,
-               const Colour& ink, const Colour& halo = palette::paper);
+/// One line of words where it stands on a picture [pixels from the top left corner].
+struct Line {
+    enum class Part { title, caption, grid, label } part = Part::label;
+    std::string text{};  ///< UTF-8
+    double left = 0, right = 0, baseline = 0, height = 20;
+    Weight weight = Weight::bold;
+    Colour ink = palette::ink;
+    bool ends = false;  ///< it stands left of what it names: its right end is the one that counts
+};
+
+/// All words of a drawing: title, caption, how long a square of the grid is, labels of points and arrows.
+std::vector<Line> place_words(const Drawing& drawing, const Camera& camera, Size size);
 
 /// Words that want to stand at a point of the picture, preferably on one side of it.
 struct AnchoredWords {
@@ -33,11 +43,11 @@ struct Taken {
     double weight = 1;
 };
 
-/// Draws the words near their anchors, inside the picture and off each other where there is room.
-void draw_anchored(Image& image, const std::vector<AnchoredWords>& all, double height,
-                   std::vector<Taken> taken);
+/// Places the words near their anchors, inside the picture and off each other where there is room.
+std::vector<Line> place_anchored(Size size, const std::vector<AnchoredWords>& all, double height,
+                                 std::vector<Taken> taken);
 
-/// All words of a drawing: title, caption, how long a square of the grid is, labels of points and arrows.
-void write_words(Image& image, const Drawing& drawing, const Camera& camera, Size size);
+/// Draws the lines in Lato, with a halo so that they can be read on anything.
+void write_words(Image& image, const std::vector<Line>& lines, Theme theme);
 
 }  // namespace nutshell::picture

@@ -25,7 +25,7 @@ inline pic::Drawing drawing(double shift = 0) {
     std::vector<Vector3d> path;
     for (int i = 0; i <= 40; ++i)
         path.push_back({-1.8 + 0.09 * i, 1.5 - 0.9 * (i / 20.0 - 1) * (i / 20.0 - 1), 0.5});
-    d.add(pic::Trail{.points = path, .colour = pic::palette::explicit_euler});
+    d.add(pic::Trail{.points = path, .colour = pic::palette::explicit_euler, .shadow = true});
     d.add(pic::Trail{.points = {{-1.8, 0, 1}, {1.8, 0, 1}}, .colour = pic::palette::exact, .dashed = true});
     pic::Mesh sheet;
     sheet.points = {{-0.3, 1.2, -0.8}, {0.5, 1.2, -0.8}, {0.5, 0.4, -0.5}, {-0.3, 0.4, -0.5}};

@@ -21,6 +21,11 @@ struct Ball {
     Colour colour = palette::body;
     Look look = Look::solid;
     bool shines = false;  ///< a lamp or a star: drawn in full light, without shade
+    /// From the body's frame to the world: then its octants are told apart, and it can be seen to turn.
+    std::optional<Eigen::Quaterniond> orientation{};
+    /// A shadow only where it nearly touches the ground: for the many images of one body, whose shadows would
+    /// look like a second path.
+    bool contact_shadow = false;
 };
 
 /// A box with slightly rounded edges.
@@ -29,6 +34,9 @@ struct Box {
     Eigen::Vector3d half_extents = Eigen::Vector3d::Constant(0.5);  ///< [m]
     Colour colour = palette::gold;
     Look look = Look::solid;
+    /// Its faces are told apart, so that its orientation can be seen: those of x dark, of y light, of z in its
+    /// colour, and a dot on the three that face along +x, +y, +z.
+    bool marked = false;
 };
 
 /// A rod: a straight round bar between two points (a pendulum's arm, a chain's link, an axle).
@@ -66,7 +74,7 @@ struct Trail {
     double width = 4;              ///< [pixels of a picture 960 wide]
     double opacity = 1;            ///< at its end, 0 to 1
     double opacity_at_start = -1;  ///< the trail fades in from here; negative: as at its end
-    bool shadow = true;            ///< leaves a faint shadow on the ground
+    bool shadow = false;           ///< leaves a faint shadow on the ground
 };
 
 /// An arrow with its foot at a point: velocity, force, later L and omega. Lengths are world lengths:
@@ -105,8 +113,8 @@ struct Ground {
 
 /// The light in the air: a plain gradient, so that nothing draws the eye away from the physics.
 struct Sky {
-    Colour top{0.804F, 0.863F, 0.925F};
-    Colour horizon{0.957F, 0.965F, 0.973F};
+    Colour top = palette::air;
+    Colour horizon = palette::horizon;
 };
 
 /// A point and how far a thing reaches from it: what cameras and shadows are fitted to.
@@ -140,6 +148,9 @@ class Drawing {
     /// For a drawing that moves: camera, light and grid are fitted to this ball, not to where things are now.
     Drawing& stage(const Extent& ball);
     const std::optional<Extent>& stage() const { return stage_; }
+    /// The page it is drawn for; light unless said.
+    Drawing& theme(Theme theme);
+    Theme theme() const { return theme_; }
     /// Where the sun stands: towards it, any length. By default high on the left, in front.
     Drawing& sun(const Eigen::Vector3d& direction);
     /// A line of bold words at the top left, and one of plain words at the bottom left.
@@ -176,6 +187,7 @@ class Drawing {
     Sky sky_;
     std::optional<Eigen::Vector3d> sun_;
     std::optional<Extent> stage_;
+    Theme theme_ = Theme::light;
     std::string title_, caption_;
 };
 
@@ -194,7 +206,7 @@ struct Stroboscope {
     bool error_lines = true;  ///< a thin line from each ghost to the ball of the same instant
 };
 
-/// Adds the balls, the line through them, the ghost with its dashed line, and lines from one to the other.
+/// Adds the balls (with contact shadows), the line through them, the ghost with its dashed line, and lines from one to the other.
 /// @throws std::invalid_argument as Drawing::add does
 void add(Drawing& drawing, const Stroboscope& stroboscope);
 

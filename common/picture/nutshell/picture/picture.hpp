@@ -23,3 +23,4 @@
 #include "nutshell/picture/image.hpp"
 #include "nutshell/picture/render.hpp"
 #include "nutshell/picture/save.hpp"
+#include "nutshell/picture/sheet.hpp"

@@ -20,6 +20,9 @@ struct Quality {
 /// camera is bad
 Image render(const Drawing& drawing, const Camera& camera, Size size = {}, const Quality& quality = {});
 
+/// The same without its words.
+Image render_bare(const Drawing& drawing, const Camera& camera, Size size = {}, const Quality& quality = {});
+
 /// Whether this machine can draw.
 bool available();
 

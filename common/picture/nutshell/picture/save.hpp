@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "nutshell/picture/image.hpp"
+#include "nutshell/picture/sheet.hpp"
 
 namespace nutshell::picture {
 
@@ -26,6 +27,12 @@ struct Note {
 /// Writes `file` (a .png) and its note, the same name ending in .txt; each appears whole or not at all.
 /// @throws std::runtime_error naming the file if it cannot be written
 void save(const Image& image, const std::filesystem::path& file, const Note& note);
+
+/// Draws and saves a picture of the book: `file` with its words drawn in, to be looked at by itself, its note, and
+/// for the page NAME.page.html with its JPEGs. Where this machine cannot draw, as below.
+/// @returns whether the picture was drawn
+/// @throws std::runtime_error naming the file if it cannot be written
+bool save(const std::filesystem::path& file, const Note& note, const std::function<Sheet()>& draw);
 
 /// Draws and saves; where this machine cannot draw, the note alone is written, with the line
 /// `not drawn: REASON`, an older picture of that name is removed, and the program goes on.
