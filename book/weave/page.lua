@@ -70,7 +70,7 @@ local function edition_of(html, edition)
     html = html:gsub("<!%-%-/?" .. edition .. "%-%->", "")
     if edition == "open" then
         html = html:gsub("<details([ >])", "<details open%1")
-        html = html:gsub('(%s[hs]re?[fc]=")(%l+/)', "%1../%2")
+        html = html:gsub('(%s[hs]re?[fc]=")(%l+/)', "%1../%2"):gsub('(%ssrcset=")(%l+/)', "%1../%2")
     end
     return html
 end

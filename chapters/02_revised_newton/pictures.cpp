@@ -147,7 +147,8 @@ void raindrop_picture(lab::Report& report) {
         for (const auto& state : drops)
             drawing.add(pic::Ball{.centre = state.position,
                                   .radius = drop_radius(state.mass, full),
-                                  .colour = pic::palette::symplectic});
+                                  .colour = pic::palette::symplectic,
+                                  .contact_shadow = true});
         drawing.add(pic::Label{.at = drops.back().position + Vector3(3.2, 0, 0),
                                .text = lab::rounded(1e6 * full, "%.0f mg")});
         drawing.add(pic::Label{.at = drops.front().position + Vector3(-3, 1, 0),

@@ -143,7 +143,8 @@ void throws_picture(lab::Report& report) {
             drawing.add(pic::Trail{.points = path, .colour = colour, .width = 3});
             for (int n = 0; n <= 12; ++n)
                 if (const Vector3 p = scene.exact(0.25 * n).position; p.y() >= 0)
-                    drawing.add(pic::Ball{.centre = p, .radius = 0.3, .colour = colour});
+                    drawing.add(pic::Ball{
+                        .centre = p, .radius = 0.3, .colour = colour, .contact_shadow = true});
             drawing.add(pic::Label{.at = path.back() + Vector3(0, 0.6, 0), .text = words});
         };
         add(none, "no drag", pic::palette::steel);

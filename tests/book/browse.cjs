@@ -116,7 +116,8 @@ async function main() {
             await tell('Emulation.setEmulatedMedia', {features: [{name: 'prefers-color-scheme', value: scheme}]});
             const {result, exceptionDetails} = await tell('Runtime.evaluate', {awaitPromise: true, returnByValue: true,
                 expression: `(async () => { document.querySelectorAll('main details').forEach(d => d.open = true);
-                    await document.fonts.ready; await new Promise(requestAnimationFrame); return (${examine})(${width}); })()`});
+                    await document.fonts.ready; await new Promise(requestAnimationFrame);
+                    await Promise.all([...document.images].map(i => i.decode().catch(() => {}))); return (${examine})(${width}); })()`});
             if (exceptionDetails) throw new Error(exceptionDetails.exception.description);
             const found = result.value;
             found.bad.forEach(b => complain(`at ${width} px, ${scheme}: ${b}`));
