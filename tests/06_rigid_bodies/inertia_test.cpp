@@ -58,10 +58,8 @@ TEST_CASE("The inertia of uniform solids is the sum over their cells") {
 }
 
 TEST_CASE("L = I omega is the sum of r x m v, and the energy half omega L, for particles in disorder") {
-    const std::vector<Particle> cloud = {{1, {0.3, 1.2, -0.4}, {}},
-                                         {2.5, {-1, 0.2, 0.8}, {}},
-                                         {0.7, {0.1, -0.9, 1.5}, {}},
-                                         {1.1, {2, 0, -1}, {}}};
+    const std::vector<Particle> cloud = {
+        {1, {0.3, 1.2, -0.4}}, {2.5, {-1, 0.2, 0.8}}, {0.7, {0.1, -0.9, 1.5}}, {1.1, {2, 0, -1}}};
     const MassProperties body = mass_properties(cloud);
     const Vector3 omega(0.4, -1.3, 2.1);
     Vector3 sum = Vector3::Zero();
@@ -77,8 +75,7 @@ TEST_CASE("L = I omega is the sum of r x m v, and the energy half omega L, for p
 }
 
 TEST_CASE("World inertia turns with the body: the inertia of the turned particles, eq. 53") {
-    std::vector<Particle> cloud = {
-        {1, {0.3, 1.2, -0.4}, {}}, {2, {-1, 0.2, 0.8}, {}}, {3, {0.1, -0.9, 1.5}, {}}};
+    std::vector<Particle> cloud = {{1, {0.3, 1.2, -0.4}}, {2, {-1, 0.2, 0.8}}, {3, {0.1, -0.9, 1.5}}};
     const Matrix3 own = mass_properties(cloud).inertia;
     for (Particle& p : cloud) p.position = tilted * p.position;
     check_close(in_world(own, tilted), mass_properties(cloud).inertia, 20 * epsilon * own.norm());
