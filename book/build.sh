@@ -5,20 +5,22 @@
 #   --results  where the chapters' programs have written  (out)
 #   --pages    where the pages and errata.csv are         (book)
 #   --root     where the quoted sources are               (the project)
+#   --claims   print what stands behind each number and comparison of the text
 # Two editions: the learner's, and DIR/open with every body and answer shown, for print and for teachers.
 # A page that quotes something unknown stops the build: every complaint has a file, a line and what to do.
 # The old book stays in place until the new one is complete. How to write a page: book/HOWTO.md.
 set -eu
 export LC_ALL=C.UTF-8
 here=$(CDPATH= cd "$(dirname "$0")" && pwd)
-root=$(dirname "$here"); pages=$here; out=; results=
-usage() { sed -n '2,7s/^# \{0,1\}//p' "$0"; }
+root=$(dirname "$here"); pages=$here; out=; results=; claims=
+usage() { sed -n '2,8s/^# \{0,1\}//p' "$0"; }
 while [ $# -gt 0 ]; do
     case $1 in
         --out|--results|--pages|--root)
             [ $# -ge 2 ] || { echo "book: $1 wants a folder" >&2; exit 2; }
             case $1 in --out) out=$2;; --results) results=$2;; --pages) pages=$2;; --root) root=$2;; esac
             shift 2;;
+        --claims) claims=yes; shift;;
         -h|--help) usage; exit 0;;
         *) echo "book: unknown argument '$1'" >&2; usage >&2; exit 2;;
     esac
@@ -63,4 +65,5 @@ if [ -e "$out" ]; then rm -rf "$out.old" && mv "$out" "$out.old"; fi
 mv "$next" "$out"
 rm -rf "$out.old"
 trap - EXIT
+[ -z "$claims" ] || cat "$out/claims.csv"
 echo "book: $out/index.html"

@@ -1,6 +1,6 @@
 -- book.lua: weaves all pages of the book in one run of pandoc (2.17 and newer). Called by build.sh.
 -- Pass 1 reads the pages and numbers what can be referred to; pass 2 weaves and writes. What a page may say: HOWTO.md.
--- The parts: report.lua (complaints with line), regions.lua (code), numbers.lua, figures.lua, errata.lua, boxes.lua, page.lua.
+-- The parts: report.lua (complaints with line), regions.lua (code), numbers.lua, claims.lua, figures.lua, errata.lua, boxes.lua, page.lua.
 PANDOC_VERSION:must_be_at_least("2.17", "book: pandoc %s or newer is needed, this is %s")
 local env = function(name) return os.getenv("BOOK_" .. name) end
 local here = env("HERE") .. "/weave/"
@@ -14,6 +14,7 @@ Figures = dofile(here .. "figures.lua")
 Errata = dofile(here .. "errata.lua")
 Labels = dofile(here .. "labels.lua")
 Boxes = dofile(here .. "boxes.lua")
+Claims = dofile(here .. "claims.lua")
 Page = dofile(here .. "page.lua")
 
 -- Images stay images: a picture alone in its paragraph is a figure, in every version of pandoc the same way.
@@ -124,6 +125,7 @@ local function weave(page)
         end,
         Cite = function(c) return Labels.resolve(page, c) end,
         Link = function(l) return link(page, l) end,
+        Span = function(s) return Claims.span(page, s) end,
         Inlines = keep_together,
     }
     local blocks = {
@@ -136,6 +138,7 @@ local function weave(page)
     page.inlines = inlines
     quoted(page)
     page.doc = page.doc:walk(inlines)
+    Claims.collect(page)
     for _, entry in ipairs(page.contents) do entry.content = pandoc.Inlines(entry.content):walk(inlines) end
     page.doc = page.doc:walk(blocks)
     page.body = pandoc.write(page.doc, "html5", {wrap_text = "wrap-none"})
@@ -165,6 +168,7 @@ local function write_all()
         Page.write("open/" .. page.name .. ".html", Page.fill(page, "open"))
     end
     for path in pairs(Book.sources) do Page.write_source(path) end
+    Claims.write()
 end
 
 function Pandoc()

@@ -146,6 +146,16 @@ local function find(page, key, at)
     end
 end
 
+--- Whether [@key] would find its place.
+function Labels.known(page, key)
+    local name, id = key:match("^([%w_]+)/(.+)$")
+    if not name and page.labels[key] then return true end
+    for _, other in ipairs(by_id[id or key] or {}) do
+        if not name or other.name == name then return true end
+    end
+    return false
+end
+
 function Labels.nearest(id)
     local kind, list = id:match("^(%a+:)"), {}
     if not kind then return "a reference is @eq:…, @fig:…, @sec:…, @ex:N.M or @E05" end

@@ -25,6 +25,20 @@ function Numbers.load(chapter)
     return t
 end
 
+--- A number for a comparison; nil and why not
+function Numbers.value(page, full)
+    local chapter, name = full:match("^([^/]+)/(.+)$")
+    if not chapter then chapter, name = page.results, full end
+    if not chapter then return nil, "this page is no chapter: say whose number, 01_newton/" .. full end
+    local t = Numbers.load(chapter)
+    if t.missing then return nil, t.missing end
+    local entry = t.values[name]
+    if not entry or not entry.value then
+        return nil, ("no such name in %s/numbers.csv (%s)"):format(chapter, Numbers.nearest(t.values, name))
+    end
+    return entry.value
+end
+
 --- {sign, digits, exponent or nil, unit, title}; nil after a complaint
 local function take(page, spec, at)
     local function complain(what)

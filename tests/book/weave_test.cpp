@@ -104,8 +104,8 @@ That.
                           "id=\"eq:ours\"", "(1.a)"});
     check_in_order(page, {"/// One step.", "// exercise 1.1: yours", "href=\"source/src/code.hpp.html#L-4\"",
                           "id=\"ex:1.1\"", "Exercise 1.1: yours</b> · A step", "./course check 1.1",
-                          "<details class=\"body\">", "x <span class=\"op\">+</span>", "</details>", "</aside>",
-                          "/// Another.", "x <span class=\"op\">-</span>",
+                          "<details class=\"body\">", "x <span class=\"op\">+</span>", "</details>",
+                          "</aside>", "/// Another.", "x <span class=\"op\">-</span>",
                           "Exercise 1.2: a worked example</b> · Another", "./course check 1.2", "</aside>"});
     check_in_order(book.page("open/01_first"),
                    {"/// One step.", "x <span class=\"op\">+</span>", "Exercise 1.1: yours</b>", "</aside>",
@@ -169,6 +169,13 @@ TEST_CASE(
         {"::: {#eq:11star erratum=E05}\n$$ a = b $$\n:::", "the label eq:11star is given twice"},
         {"::: remark\nx\n:::", "there is no box 'remark'"},
         {"::: exercise\nx\n:::", "an exercise says which one it is"},
+        {"[More]{by=\"steps < 15*2\"}.",
+         "claim by \"steps < 15*2\": steps < 15*2 does not hold: 16000 and 30"},
+        {"[More]{by=\"steps > 5 and share > 1\"}.", "share > 1 does not hold: 0.0123 and 1"},
+        {"[More]{by=\"lost > 1\"}.", "claim by \"lost > 1\": no such name in 01_first/numbers.csv"},
+        {"[More]{by=\"test: nobody wrote this\"}.", "there is no such test"},
+        {"[More]{by=\"eq:nowhere\"}.", "there is no such label"},
+        {"[More]{by=\"because\"}.", "it is neither 'test: …', a label, 'words' nor a comparison"},
         {"::: {.exercise #ex:1.3}\nx\n:::", "exercise 1.3 stands where its code is"},
         {"::: {.exercise .open #ex:1.2}\nx\n:::", "exercise 1.2 stands where its code is"},
         {"::: {.exercise .open #ex:1.1}\nx\n:::",
@@ -203,6 +210,36 @@ TEST_CASE(
     for (const auto& entry : std::filesystem::directory_iterator(book.folder()))
         beside += entry.path().filename().string().rfind("out", 0) == 0;
     CHECK(beside == 1);
+}
+
+TEST_CASE(
+    "claims: what stands behind each sentence is listed, and what stands behind nothing is told apart") {
+    const LittleBook book;
+    book.write("tests/some_test.cpp", "TEST_CASE(\"it is \"\n    \"so\") {}\n");
+    book.write("pages/01_first.md", R"(# First {#sec:first}
+
+Turns by `turn %.2e rad`{=num}. [More]{by="steps > 2 and share*10 < 1"} of it. Held [always]{by="test: it is so"}, by
+[@eq:11star] [exactly]{by="eq:11star"}. This one is better. This "one" has 3 parts. Is it more? Plain.
+
+::: {#eq:11star erratum=E05}
+$$ c = d $$
+:::
+)");
+    const Said said = book.weave();
+    INFO(said.text);
+    REQUIRE(said.code == 0);
+    check_in_order(read_text(book.folder() / "out/claims.csv"),
+                   {"page,kind,behind,sentence\n",
+                    "01_first.md,held,\"01_first/turn = -0.0010345678901234567 rad\",\"Turns by ",
+                    "01_first.md,held,\"steps > 2 and share*10 < 1\",\"More of it.\"",
+                    "01_first.md,held,\"test: it is so; eq:11star\",\"Held always",
+                    "01_first.md,bare,\"better\",\"This one is better.\"",
+                    "01_first.md,given,\"\",\"This “one” has 3 parts.\""});
+    const std::string list = read_text(book.folder() / "out/claims.csv");
+    CHECK(list.find("Is it more") == std::string::npos);
+    CHECK(list.find("Plain") == std::string::npos);
+    CHECK_THAT(book.page("01_first"),
+               ContainsSubstring("<span class=\"claim\" data-by=\"test: it is so\">always</span>"));
 }
 
 TEST_CASE("a label on two pages: its own page first, else the page must be named") {
