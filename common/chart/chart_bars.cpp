@@ -7,7 +7,7 @@
 namespace nutshell::chart::parts {
 namespace {
 
-constexpr double row = 40, thick = 18;
+constexpr double row = 40, narrow_row = 52, thick = 18;  // a narrow row has its name above the bar
 
 std::string end_text(const Bar& bar) {
     if (!bar.text.empty()) return bar.text;
@@ -18,19 +18,21 @@ std::string end_text(const Bar& bar) {
 }  // namespace
 
 std::string draw_bars(const Chart& chart, double& width, double& height, double top) {
+    const bool narrow = is_narrow(chart);
     double names = 0, ends = 0;
     std::vector<std::vector<std::string>> names_of;
     for (const Bar& bar : chart.bars) {
-        names_of.push_back(balanced(bar.name, text_size, 0.3 * width));
+        names_of.push_back(narrow ? std::vector{bar.name} : balanced(bar.name, text_size, 0.3 * width));
         for (const std::string& line : names_of.back()) names = std::max(names, text_width(line, text_size));
         ends = std::max(ends, text_width(end_text(bar), note_size));
     }
     const bool floors = std::any_of(chart.bars.begin(), chart.bars.end(),
                                     [](const Bar& bar) { return !std::isnan(bar.floor); });
     Frame frame;
-    frame.plot = {24 + names, top + (floors ? 30 : 8), width - ends - 24, 0};
+    frame.plot = {narrow ? border : 24 + names, top + (floors ? 30 : 8), width - ends - 24, 0};
     if (frame.plot.width() < 120) width += 120 - frame.plot.width(), frame.plot.right = frame.plot.left + 120;
-    frame.plot.bottom = frame.plot.top + row * static_cast<double>(chart.bars.size());
+    const double each = narrow ? narrow_row : row;
+    frame.plot.bottom = frame.plot.top + each * static_cast<double>(chart.bars.size());
     frame.x = {chart.x.scale, range_of_x(chart), frame.plot.left, frame.plot.right};
 
     std::string out = draw_grid(chart, frame);
@@ -40,11 +42,12 @@ std::string draw_bars(const Chart& chart, double& width, double& height, double 
     bool floor_named = false;
     for (std::size_t i = 0; i < chart.bars.size(); ++i) {
         const Bar& bar = chart.bars[i];
-        const double middle = frame.plot.top + row * (static_cast<double>(i) + 0.5), end = frame.x(bar.value);
+        const double middle = frame.plot.top + each * (static_cast<double>(i) + 0.5) + (narrow ? 11 : 0),
+                     end = frame.x(bar.value);
         const double start =
             dots ? (std::isnan(bar.floor) ? frame.plot.left : frame.x(bar.floor)) : frame.x(0);
         const std::string title = bar.name + ": " + chart.x.name + " " + spoken(bar.value);
-        out += open_group(styles[i], "series");
+        out += open_group(styles[i], "series", bar.name);
         if (dots) {
             out += "<path class='curve' d='" + path({{{start, middle}, {end, middle}}}) + "'/>\n";
             out += draw_mark(styles[i], {end, middle}, title);
@@ -53,9 +56,13 @@ std::string draw_bars(const Chart& chart, double& width, double& height, double 
                    "' width='" + unit(std::abs(end - start)) + "' height='" + unit(thick) + "'><title>" +
                    escaped(title) + "</title></rect>\n";
         }
-        double y = middle - line_height * static_cast<double>(names_of[i].size()) / 2 + 15.5;
-        for (const std::string& line : names_of[i])
-            out += draw_text("label", frame.plot.left - 10, y, line, "end"), y += line_height;
+        if (narrow) {
+            out += draw_text("label", border, middle - thick / 2 - 6, bar.name);
+        } else {
+            double y = middle - line_height * static_cast<double>(names_of[i].size()) / 2 + 15.5;
+            for (const std::string& line : names_of[i])
+                out += draw_text("label", frame.plot.left - 10, y, line, "end"), y += line_height;
+        }
         out += "</g>\n";
         const double right = std::isnan(bar.floor) ? end : std::max(end, frame.x(bar.floor));
         out += draw_text("note", std::max(right, start) + (dots ? 12 : 8), middle + 5.5, end_text(bar));

@@ -89,8 +89,30 @@ void check(const Chart& chart) {
     }
 }
 
+void check(const Ranking& ranking) {
+    const std::string& name = ranking.name.empty() ? ranking.title : ranking.name;
+    if (ranking.title.empty()) refuse(name, "has no title; give it the question or the finding");
+    if (ranking.columns.empty() || ranking.rows.empty())
+        refuse(name, "has nothing to rank; give it columns and rows");
+    for (const Ranking::Row& row : ranking.rows) {
+        if (row.values.empty() != !row.instead.empty() ||
+            (!row.values.empty() && row.values.size() != ranking.columns.size()))
+            refuse(name, "row \"" + row.name + "\" has " + number_of(row.values.size()) + " values for " +
+                             number_of(ranking.columns.size()) +
+                             " columns; give one each, or none and the words that stand instead");
+        for (const double value : row.values)
+            if (!can_show(Scale::logarithmic, value))
+                refuse(name, "row \"" + row.name + "\" has the value " + spoken(value) +
+                                 "; a cost is finite and above zero");
+    }
+}
+
+void refuse(const std::string& name, const std::string& what) {
+    throw std::invalid_argument("chart \"" + name + "\": " + what);
+}
+
 void refuse(const Chart& chart, const std::string& what) {
-    throw std::invalid_argument("chart \"" + (chart.name.empty() ? chart.title : chart.name) + "\": " + what);
+    refuse(chart.name.empty() ? chart.title : chart.name, what);
 }
 
 }  // namespace nutshell::chart::parts

@@ -20,6 +20,13 @@ struct Box {
 
 using Line = std::vector<Point>;
 
+/// Width of the narrow layout, in units: on a screen of 360 px a unit is 0.85 px there. What is no wider than this is
+/// laid out for a phone: names in a key below the plot, or above their bars.
+inline constexpr int narrow_width = 380;
+inline bool is_narrow(const Chart& chart) {
+    return chart.width <= narrow_width;
+}
+
 // --- text (chart_text.cpp)
 inline constexpr double heading_size = 20, text_size = 16, tick_size = 15, note_size = 15, line_height = 20;
 
@@ -133,11 +140,13 @@ struct Trace {
     std::vector<std::pair<Point, std::size_t>> marks;  ///< and the index of their data
     std::vector<Arrow> arrows;
     Point anchor;  ///< its right end
+    bool quiet = false;
 };
 std::vector<Style> styles_of(const Chart& chart);
 Trace trace(const Chart& chart, const Series& series, const Style& style, const Frame& frame);
 std::string draw_series(const Chart& chart, const Series& series, const Trace& trace);
-std::string open_group(const Style& style, const char* css_class);
+/// The group of one series; a name makes it a stop of the keyboard, which shows it alone as the mouse does.
+std::string open_group(const Style& style, const char* css_class, const std::string& name = {});
 std::string path(const std::vector<Line>& lines, bool closed = false);
 std::string draw_mark(const Style& style, Point at, const std::string& title);
 
@@ -174,12 +183,43 @@ std::string draw_rings(const Chart& chart, const Frame& frame, Obstacles& obstac
 /// `width` may grow; `height` receives the picture's.
 std::string draw_bars(const Chart& chart, double& width, double& height, double top);
 
-// --- the whole (chart_document.cpp, chart.cpp)
-/// The SVG round a drawing: root, title and description, style sheet, paper.
-std::string document(const Chart& chart, const std::string& id, double width, double height,
-                     const std::string& body, const std::string& told);
+// --- the key of narrow layouts (chart_key.cpp)
+/// A row of the key: how a thing is drawn, and its name.
+struct KeyEntry {
+    std::size_t owner = 0;  ///< as of a Label
+    std::string sample;     ///< drawn in 30 x 20 units
+    std::string text;
+    std::string css_class;
+    Point at = {};                        ///< left top of its place
+    std::vector<std::string> lines = {};  ///< of its text
+};
+/// Puts entries into rows from `top`, between the chart's borders. @return the bottom
+double arrange_key(std::vector<KeyEntry>& entries, double width, double top);
+std::string draw_key(const KeyEntry& entry);
+
+// --- the whole (chart_plot.cpp, chart_document.cpp, chart.cpp)
+inline constexpr double border = 16;  ///< free on all sides
+/// One arrangement of a picture.
+struct Layout {
+    double width = 0, height = 0;
+    std::string body = {};
+};
+/// Title and subtitle; `panel` makes them smaller. `bottom` receives where they end.
+std::string draw_heading(const std::string& title, const std::string& subtitle, double width, bool panel,
+                         double& bottom);
+/// The whole of a chart without bars, below `top`.
+std::string draw_plot(const Chart& chart, double top, double& height);
+Layout layout_of(const Chart& chart, bool panel);
+/// The names of quiet series in a sentence of their own; empty without any.
+std::string quiet_names(const std::vector<Chart>& charts);
+std::string summary(const Chart& chart);  ///< what a reader who does not see the chart is told
+/// The SVG round its two layouts: root, title and description, style sheet, paper.
+std::string document(const std::string& name, const std::string& title, const std::string& told,
+                     const Layout& wide, const Layout& narrow);
 /// Throws what svg() promises to throw. (chart_check.cpp)
 void check(const Chart& chart);
+void check(const Ranking& ranking);
 [[noreturn]] void refuse(const Chart& chart, const std::string& what);
+[[noreturn]] void refuse(const std::string& name, const std::string& what);
 
 }  // namespace nutshell::chart::parts

@@ -103,16 +103,16 @@ std::size_t nodes_inside(const Region& region) {
 
 Contour contour(const Region& region, const Style& style, const Frame& frame) {
     Contour result{style, {}, {}, {frame.plot.right, frame.plot.bottom}};
-    Border border = march(PaddedGrid{region});
+    Border cuts = march(PaddedGrid{region});
     std::unordered_map<long, bool> done;
     double farthest = -INFINITY;
-    for (const long start : border.order) {
+    for (const long start : cuts.order) {
         if (done[start]) continue;
         Line loop, run;
         std::vector<bool> loop_border;
         for (long here = start; here >= 0;) {
             done[here] = true;
-            const Cut& cut = border.cuts[here];
+            const Cut& cut = cuts.cuts[here];
             loop.push_back(frame(cut.at.x, cut.at.y));
             loop_border.push_back(cut.on_border);
             here = !done[cut.next[0]] ? cut.next[0] : !done[cut.next[1]] ? cut.next[1] : -1;

@@ -106,19 +106,25 @@ std::vector<Style> styles_of(const Chart& chart) {
         else
             styles.push_back(is_method(name) ? style_of(name) : plain_style(plain++));
     };
-    for (const Series& series : chart.series) add(series);
+    for (const Series& series : chart.series) {
+        if (series.quiet)
+            styles.push_back(style_of(Look{Family::peer}));
+        else
+            add(series);
+    }
     for (const Region& region : chart.regions) add(region);
     for (const Bar& bar : chart.bars) add(bar);
     return styles;
 }
 
 Trace trace(const Chart& chart, const Series& series, const Style& style, const Frame& frame) {
-    Trace result{style, series.draw, {}, {}, {}, {frame.plot.right, frame.plot.bottom}};
+    Trace result{style, series.draw, {}, {}, {}, {frame.plot.right, frame.plot.bottom}, series.quiet};
+    if (series.quiet) result.draw = Draw::line;
     if (result.draw == Draw::as_suits)
         result.draw = style.family == Family::exact    ? Draw::ghost
                       : series.x.size() <= most_marked ? Draw::line_and_marks
                                                        : Draw::line;
-    const bool marks = result.draw != Draw::ghost && result.draw != Draw::theory;
+    const bool marks = result.draw != Draw::ghost && result.draw != Draw::theory && !series.quiet;
     Line run;
     Point last{frame.plot.left, frame.plot.bottom};
     double farthest = -INFINITY;
@@ -140,7 +146,7 @@ Trace trace(const Chart& chart, const Series& series, const Style& style, const 
         if (side == Side::inside) {
             last = at;
             if (marks) result.marks.emplace_back(at, i);
-        } else {
+        } else if (!chart.cut && !series.quiet) {
             const auto known = std::find_if(result.arrows.begin(), result.arrows.end(),
                                             [side](const Arrow& arrow) { return arrow.side == side; });
             if (known != result.arrows.end()) {
@@ -149,6 +155,8 @@ Trace trace(const Chart& chart, const Series& series, const Style& style, const 
             }
             at = exit_point(frame, series, i, side, last);
             result.arrows.push_back({side, at, i, 1});
+        } else {
+            continue;
         }
         if (at.x >= farthest) farthest = at.x, result.anchor = at;
     }
@@ -156,9 +164,11 @@ Trace trace(const Chart& chart, const Series& series, const Style& style, const 
     return result;
 }
 
-std::string open_group(const Style& style, const char* css_class) {
+std::string open_group(const Style& style, const char* css_class, const std::string& name) {
+    const std::string stop =
+        name.empty() ? "" : " tabindex='0' role='img' aria-label='" + escaped(name) + "'";
     return std::string("<g class='") + css_class + "' color='" + style.light + "' style='--d:" + style.dark +
-           "'>\n";
+           "'" + stop + ">\n";
 }
 
 std::string path(const std::vector<Line>& lines, bool closed) {

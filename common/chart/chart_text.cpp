@@ -142,8 +142,7 @@ std::string spoken(double value) {
 std::string power_of_ten(double mantissa, int exponent) {
     const std::string sign = exponent < 0 ? "\u2212" : "";
     const std::string factor = mantissa == 1 ? "" : mantissa == -1 ? "\u2212" : spoken(mantissa) + "\u00d7";
-    return factor + "10<tspan dy='-6' font-size='11'>" + sign + std::to_string(std::abs(exponent)) +
-           "</tspan>";
+    return factor + "10<tspan class='sup' dy='-6'>" + sign + std::to_string(std::abs(exponent)) + "</tspan>";
 }
 
 double width_of_markup(std::string_view markup, double size) {

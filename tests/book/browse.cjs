@@ -66,8 +66,23 @@ function examine(width) {
     if (width >= 1000)
         for (const e of document.querySelectorAll('.katex-display, pre'))
             if (e.scrollWidth > e.clientWidth + 1) bad.push(`wider than the column of a wide screen: ${who(e)}`);
-    for (const e of document.querySelectorAll('svg.chart *:not(title, desc, style)'))
-        if (getComputedStyle(e).display === 'none') bad.push(`a part of a chart is hidden: ${who(e)} of ${e.closest('svg').id}`);
+    // Charts: one of the two layouts is shown, whole; its words stand inside the column and can be read on a phone.
+    for (const svg of document.querySelectorAll('svg.chart')) {
+        const hidden = [...svg.querySelectorAll('*:not(title, desc, style)')].filter(e => getComputedStyle(e).display === 'none');
+        if (hidden.length !== 1 || !hidden[0].matches('.wide, .narrow'))
+            bad.push(`not just one layout of a chart is hidden: ${hidden.slice(0, 3).map(who).join('; ')} of ${svg.id}`);
+        const room = svg.closest('.plot').getBoundingClientRect(), box = svg.getBoundingClientRect();
+        if (box.right > room.right + 1) bad.push(`a chart is wider than its column: ${svg.id}`);
+        for (const e of svg.querySelectorAll('text, tspan')) {
+            const place = e.getBoundingClientRect();
+            if (!place.width) continue;
+            if (place.left < box.left - 1 || place.right > box.right + 1 || place.top < box.top - 1 || place.bottom > box.bottom + 1
+                || place.left < 0 || place.right > width)
+                bad.push(`a label lies outside its chart: ${who(e)} of ${svg.id}`);
+            const size = parseFloat(getComputedStyle(e).fontSize) * svg.querySelector(e.closest('.narrow') ? '.narrow' : '.wide').getScreenCTM().a;
+            if (width < 500 && size < 10.99) bad.push(`a label of ${size.toFixed(1)} px: ${who(e)} of ${svg.id}`);
+        }
+    }
     for (const e of document.querySelectorAll('.katex-error')) bad.push(`a formula was not set: ${who(e)}`);
     // Contrast of the text with the page's paper (WCAG: 4.5).
     const linear = v => (v /= 255) <= .03928 ? v / 12.92 : ((v + .055) / 1.055) ** 2.4;

@@ -15,6 +15,10 @@ using namespace nutshell::chart;
 
 namespace {
 
+std::string wide_svg(const Chart& chart) {
+    return wide_layout(svg(chart));
+}
+
 Region region_of(const std::function<double(double, double)>& f, int n = 101) {
     Region r{"Euler", -2, 2, -2, 2, n, n};
     for (int j = 0; j < n; ++j)
@@ -116,7 +120,7 @@ TEST_CASE("in a plane a metre of x is as long as a metre of y") {
         Chart c = plain_chart();
         c.equal_aspect = true;
         c.series = {{"Verlet", {0, 2, 1, 0}, {0, 0, height, 0}}};
-        const auto path = of_class(read_svg(svg(c)), "curve").at(0).attributes.at("d");
+        const auto path = of_class(read_svg(wide_svg(c)), "curve").at(0).attributes.at("d");
         double x[3], y[3];
         REQUIRE(std::sscanf(path.c_str(), "M%lf %lfL%lf %lfL%lf %lf", x, y, x + 1, y + 1, x + 2, y + 2) == 6);
         INFO(height);
@@ -129,7 +133,7 @@ TEST_CASE("bars are as long as their values, and say how far from the floor they
     c.title = "Cost";
     c.x = {"time [ns]"};
     c.bars = {{"Euler", 2, 1}, {"RK4", 8, 5}, {"Verlet", 4}};
-    const auto elements = read_svg(svg(c));
+    const auto elements = read_svg(wide_svg(c));
     const auto bars = of_class(elements, "bar");
     REQUIRE(bars.size() == 3);
     CHECK(std::abs(bars[1].number("width") / bars[0].number("width") - 4) < 0.01);
@@ -149,7 +153,7 @@ TEST_CASE("a fan of guides has the slopes it names") {
     c.x.scale = c.y.scale = Scale::logarithmic;
     c.series = {{"Verlet", {1, 10, 100}, {1, 1e-2, 1e-4}}};  // order 2, drawn beside its guide
     c.guides = {-1, -2};
-    const auto elements = read_svg(svg(c));
+    const auto elements = read_svg(wide_svg(c));
     double x[3], y[3], u[4], v[4];
     REQUIRE(std::sscanf(of_class(elements, "curve").at(0).attributes.at("d").c_str(), "M%lf %lfL%lf %lf", x,
                         y, x + 1, y + 1) == 4);
@@ -214,7 +218,7 @@ TEST_CASE("a chart is written whole or not at all, under an id from its file's n
     write_svg(plain_chart(), folder / "Planet error.svg");
     std::ifstream in(folder / "Planet error.svg");
     const std::string text{std::istreambuf_iterator<char>(in), {}};
-    CHECK(read_svg(text).front().attributes.at("id").rfind("chart-planet-error-", 0) == 0);
+    CHECK(read_svg(wide_layout(text)).front().attributes.at("id").rfind("chart-planet-error-", 0) == 0);
     CHECK(std::distance(std::filesystem::directory_iterator(folder), {}) == 1);
     CHECK_THROWS_AS(write_svg(plain_chart(), folder / "Planet error.svg" / "below.svg"), std::runtime_error);
     Chart bad = plain_chart();
@@ -239,7 +243,7 @@ TEST_CASE("no data make a drawing with a place that is no number") {
                 c.x = c.y = {"value", scale};
                 c.series = {{"Euler", {a, b}, {b, a}}};
                 try {
-                    for (const Element& e : read_svg(svg(c)))
+                    for (const Element& e : read_svg(wide_svg(c)))
                         for (const char* place : {"d", "x", "y", "x1", "y1", "x2", "y2", "transform"}) {
                             const auto found = e.attributes.find(place);
                             if (found == e.attributes.end()) continue;

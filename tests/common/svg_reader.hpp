@@ -98,3 +98,12 @@ inline std::vector<Element> of_class(const std::vector<Element>& elements, const
     });
     return result;
 }
+
+/// A picture's layouts, each as a document of its own.
+inline std::string wide_layout(const std::string& svg) {
+    return svg.substr(0, svg.find("<g class='narrow'")) + "</svg>";
+}
+inline std::string narrow_layout(const std::string& svg) {
+    const std::size_t wide = svg.find("<g class='wide'"), narrow = svg.find("<g class='narrow'");
+    return svg.substr(0, wide) + svg.substr(narrow);
+}

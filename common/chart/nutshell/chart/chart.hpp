@@ -1,4 +1,5 @@
-// Charts: fill in a Chart, get one self-contained SVG. No script, light and dark, same bytes every run.
+// Charts: fill in a Chart, get one self-contained SVG: no script, light and dark, wide and narrow (a phone's), same
+// bytes every run.
 //
 //     Chart chart;
 //     chart.title = "Which method gives the most accuracy for the work?";
@@ -54,6 +55,7 @@ struct Series {
     std::string style = {};               ///< look like this method; empty = like `name`
     std::vector<std::string> notes = {};  ///< for the tooltips, one a point: "dt = 1/60 s"
     std::optional<Look> look = {};        ///< of the method it is; none = no method: the next plain style
+    bool quiet = false;  ///< thin and grey, without marks and label: named in a line below the chart
 };
 
 /// A value on an axis with a meaning: drawn as a thin line across the chart, its reason written on it.
@@ -105,10 +107,38 @@ struct Chart {
     std::string guide_name = "order";
     bool ring_cheapest = false;  ///< ring the point that `cheapest` finds
     std::vector<Ring> rings = {};
+    bool cut = false;               ///< what lies beyond the axes' ends is left out without an arrow
     bool equal_aspect = false;      ///< one unit of x is as long as one of y; the height follows
     int width = 640, height = 440;  ///< units of the picture; the height grows where labels need it
     std::string name = {};  ///< makes the SVG's id, with a hash; write_svg takes the file's name when empty
     std::string description = {};  ///< for readers who do not see it; empty = made from the data
+};
+
+/// Several charts as one picture: side by side on a wide screen, one below the other on a phone. A panel's title is
+/// its small heading; it may be empty.
+struct Figure {
+    std::string title = {}, subtitle = {};
+    std::vector<Chart> panels = {};
+    int columns = 2;
+    int width = 920;
+    std::string name = {}, description = {};  ///< as of a Chart
+};
+
+/// What a need costs: methods ranked by the first column, a dot for each and column on a logarithmic axis, the value
+/// and its ratio to the least beside it. Who does not get there says so in words, last.
+struct Ranking {
+    struct Row {
+        std::string name = {};
+        std::optional<Look> look = {};
+        std::vector<double> values = {};  ///< one a column, > 0; empty where `instead` is not
+        std::string instead = {};         ///< "does not get there: still 0.3 m off with 100 000 steps"
+        std::string note = {};            ///< for the tooltip: "dt = 1/60 s"
+    };
+    std::string title = {}, subtitle = {};
+    std::vector<std::string> columns = {};  ///< what is counted, with its unit: "evaluations of the force"
+    std::vector<Row> rows = {};             ///< in any order
+    int width = 760;
+    std::string name = {}, description = {};  ///< as of a Chart
 };
 
 /// The cheapest method that meets the chart's tolerance: the point with the least x whose y is at most the
@@ -116,13 +146,17 @@ struct Chart {
 /// such a point.
 std::optional<Ring> cheapest(const Chart& chart);
 
-/// The picture as text. @throws std::invalid_argument that names the chart, what is wrong and what to do:
-/// nothing to draw, lists of different lengths, a range that is not finite or not positive on a logarithmic
-/// axis, a grid of the wrong size
+/// The picture as text: one SVG that holds two layouts and shows the one that suits the room it has.
+/// @throws std::invalid_argument that names the chart, what is wrong and what to do: nothing to draw, lists of
+/// different lengths, a range that is not finite or not positive on a logarithmic axis, a grid of the wrong size
 std::string svg(const Chart& chart);
+std::string svg(const Figure& figure);
+std::string svg(const Ranking& ranking);
 
 /// Writes the picture, whole or not at all. @throws like `svg`, and std::runtime_error if the file cannot be
 /// written
 void write_svg(const Chart& chart, const std::filesystem::path& path);
+void write_svg(const Figure& figure, const std::filesystem::path& path);
+void write_svg(const Ranking& ranking, const std::filesystem::path& path);
 
 }  // namespace nutshell::chart
