@@ -105,7 +105,7 @@ TEST_CASE("Any two particles: momentum, angular momentum about any point, restit
 }
 
 TEST_CASE("Newton's cradle: impacts one after another are exact, all at once are not (S12)") {
-    for (const std::size_t balls : {2u, 3u, 5u, 12u}) {
+    for (const std::size_t balls : std::vector<std::size_t>{2, 3, 5, 12}) {
         Cradle cradle;
         cradle.balls = balls;
         auto all = cradle.start();
@@ -167,11 +167,11 @@ TEST_CASE("The break of pool: momentum and energy kept, every impact found") {
 
 TEST_CASE("Too fast to see: a point test misses 1 - h/(v dt) of all starts, a swept one none") {
     // h = 0.1 m; the four cases of the errata's section 3.6
-    for (const auto& [speed, dt, percent] : {std::array{20, 0.008, 37},
-                                             {50, 0.008, 75},
-                                             {10, 1 / 60.0, 40},
-                                             {20, 1 / 60.0, 70},
-                                             {50, 1 / 60.0, 88}}) {
+    struct Case {
+        double speed, dt, percent;
+    };
+    for (const auto& [speed, dt, percent] : std::vector<Case>{
+             {20, 0.008, 37}, {50, 0.008, 75}, {10, 1 / 60.0, 40}, {20, 1 / 60.0, 70}, {50, 1 / 60.0, 88}}) {
         const double p = miss_probability(0.1, speed, dt);
         CHECK(100 * p == near(percent, 0.6));
         const int starts = 100000;

@@ -52,11 +52,18 @@ TEST_CASE("Time of impact: a ball under gravity and a plane, a ball and a ball")
         const auto t = time_of_impact(ball, p, v, g, plane);
         const auto found = by_bisection(
             [&](double s) { return distance_to(plane, p + v * s + g * s * s / 2) - ball.radius; }, 20, 4000);
-        if (found) REQUIRE(t), CHECK(*t == near(*found, 1e-10 * (1 + *found))), ++hits;
+        if (found) {
+            REQUIRE(t);
+            CHECK(*t == near(*found, 1e-10 * (1 + *found)));
+            ++hits;
+        }
         if (!found && t) CHECK(*t > 20);
         const auto u = time_of_impact(p, v, 0.4);
         const auto seen = by_bisection([&](double s) { return (p + v * s).norm() - 0.4; }, 5, 4000);
-        if (p.norm() > 0.4 && seen) REQUIRE(u), CHECK(*u == near(*seen, 1e-9));
+        if (p.norm() > 0.4 && seen) {
+            REQUIRE(u);
+            CHECK(*u == near(*seen, 1e-9));
+        }
     }
     CHECK(hits > 100);
 }
@@ -140,21 +147,47 @@ TEST_CASE("The bouncing ball by steps: order 1, because an impact comes up to a 
         c.dt.push_back(dt), c.error.push_back(sum / steps);
     }
     CHECK_THAT(c, HasOrder(1, 0.1));
-    WARN("rms of the height over 3 s, stepped: " << c);
+    CHECK(c.error.front() == near(0.112, 0.001));  // 11 cm rms at 60 steps a second
+}
+
+TEST_CASE("Pushing a ball out of the floor through its velocity makes it bounce higher than it fell") {
+    BouncingBall scene;
+    scene.restitution = 1;
+    const double dt = 1 / 60.0, start = scene.drop() * scene.g;
+    const auto highest_energy = [&](double push) {
+        Particle body = scene.start;
+        double highest = 0;
+        for (int i = 0; i < 1200; ++i) {
+            body = verlet(body, scene, 0, dt);
+            bounce_with_push(scene, body, dt, push);
+            const double height = body.position.y() - scene.ball.radius;
+            highest = std::max(highest, scene.g * height + kinetic_energy(body));
+        }
+        return highest / start;
+    };
+    // Without a push an elastic bounce at any depth keeps the energy of the parabola, to round-off.
+    CHECK(highest_energy(0) == near(1, 1e-12));
+    CHECK(highest_energy(0.2) == near(10.477, 0.001));  // a fifth of the depth a step, for 20 s
 }
 
 TEST_CASE("The printed floor never rests: 44 mm at dt = 0.008 s, started at rest on the floor (E62, E64)") {
     BouncingBall scene;
     scene.g = 9.8;
-    for (const auto& [dt, millimetres] : {std::array{0.004, 11.0}, {0.008, 44.2}, {1 / 60.0, 191.7}}) {
+    for (const auto& [dt, millimetres] :
+         std::vector<std::pair<double, double>>{{0.004, 11.0}, {0.008, 44.2}, {1 / 60.0, 191.7}}) {
         Particle body{1};
         double highest = 0;
-        for (int i = 0; i < 20000; ++i) {
+        int contacts = 0;
+        for (int i = 0; i < 21000; ++i) {
             body = euler(body, scene, 0, dt);
+            const double before = body.momentum.y();
             bounce_as_printed(body);
+            if (i < 1000) continue;  // it jumps a little higher before it has found its rhythm
             highest = std::max(highest, body.position.y());
+            contacts += body.momentum.y() != before;
         }
-        CHECK(1000 * highest == near(millimetres, 0.05));
+        CHECK(contacts / 20000.0 == near(0.042, 0.0005));  // one step in 24
+        CHECK(1000 * highest == near(millimetres, 0.05 + 0.001 * millimetres));
     }
     // the approach test: a body on its way up below the floor is sent down by the printed rule
     Particle rising{1, {0, -0.5, 0}, {0, 1, 0}};
