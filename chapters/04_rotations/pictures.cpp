@@ -1,4 +1,235 @@
+// The pictures of chapter 4.
+#include <nutshell/picture/picture.hpp>
+#include <nutshell/reflections.hpp>
+#include "drawings.hpp"
+#include "printed.hpp"
 #include "program.hpp"
+
 namespace nutshell {
-void pictures(lab::Report&) {}
+
+namespace {
+
+constexpr double degrees = 180 / pi;
+const Vector3 x_axis = Vector3::UnitX(), y_axis = Vector3::UnitY(), z_axis = Vector3::UnitZ();
+
+/// The book before, between and after two quarter turns; each image shows the axis it turns about
+/// next.
+pic::Drawing two_turns(const Vector3& first, const char* first_name, const Vector3& then,
+                       const char* then_name, pic::Colour colour) {
+    const Quaternion one = quaternion_about(first, pi / 2),
+                     both = product(quaternion_about(then, pi / 2), one);
+    pic::Drawing drawing;
+    drawing.no_ground();
+    const double apart = 2.5;
+    const auto axis = [&](const Vector3& at, const Vector3& along, const char* name) {
+        drawing.add(pic::Arrow{.from = at - 1.05 * along,
+                               .vector = 2.1 * along,
+                               .colour = pic::palette::angular_velocity,
+                               .label = name});
+        const Vector3 side = along.cross(Vector3(0.3, 0.8, 1)).normalized();
+        drawing.add(pic::Trail{.points = arc(at + 0.75 * along, along, side, 0.3, 0, 1.5 * pi),
+                               .colour = pic::palette::angular_velocity,
+                               .width = 4});
+    };
+    drawing.add(book(four_vector({0, 0, 0}, 1), {0, 0, 0}, colour));
+    axis({0, 0, 0}, first, first_name);
+    drawing.add(book(one, {apart, 0, 0}, colour));
+    axis({apart, 0, 0}, then, then_name);
+    drawing.add(book(both, {2 * apart, 0, 0}, colour));
+    return drawing;
+}
+
+void order_picture(lab::Report& report) {
+    const TwoQuarterTurns scene;
+    const pic::Note note{report.command(),
+                         "two quarter turns",
+                         "4-vectors",
+                         "",
+                         {{"apart at the end", scene.apart() * degrees, "degrees"}}};
+    pic::save(report.path("order.png"), note, [&]() -> pic::Sheet {
+        const pic::Size size{960, 420};
+        pic::Drawing above = two_turns(x_axis, "x", z_axis, "z", pic::palette::body),
+                     below = two_turns(z_axis, "z", x_axis, "x", pic::palette::gold);
+        above.title("a quarter turn about x, then one about z");
+        below.title("a quarter turn about z, then one about x");
+        const pic::Fit how{.margin = 0.04};
+        const Vector3 from(0.35, 0.45, 1);
+        return {{{above, pic::fit(above, from, size, how), size},
+                 {below, pic::fit(below, from, size, how), size}},
+                1};
+    });
+}
+
+void along_and_across_picture(lab::Report& report) {
+    const Vector3 n = y_axis, p = Vector3(1.0, 1.1, 0.35);
+    const double angle = 1.1;
+    const Vector3 along = n * n.dot(p), across = p - along, image = turned(p, n, angle);
+    const pic::Note note{report.command(),
+                         "a turn about an axis",
+                         "Rodrigues' formula",
+                         "",
+                         {{"angle", angle * degrees, "degrees"}}};
+    pic::save(report.path("along_and_across.png"), note, [&]() -> pic::Sheet {
+        pic::Drawing drawing;
+        drawing.ground({.height = 0, .spacing = 0.5});
+        drawing.add(pic::Trail{.points = arc(along, n, across, across.norm(), 0, 2 * pi),
+                               .colour = pic::palette::steel,
+                               .dashed = true,
+                               .width = 3});
+        drawing.add(pic::Trail{.points = arc(along, n, across, 0.5 * across.norm(), 0, angle),
+                               .colour = pic::palette::angular_velocity,
+                               .width = 4});
+        const auto arrow = [&](const Vector3& from, const Vector3& to, pic::Colour colour,
+                               const char* name) {
+            drawing.add(
+                pic::Arrow{.from = from, .vector = to - from, .colour = colour, .label = name});
+        };
+        arrow({0, 0, 0}, 1.75 * n, pic::palette::angular_velocity, "n");
+        arrow({0, 0, 0}, p, pic::palette::ink, "p");
+        arrow({0, 0, 0}, image, pic::palette::body, "p'");
+        arrow(along, p, pic::palette::ink, "across");
+        arrow(along, along + n.cross(p), pic::palette::steel, "n × p");
+        arrow(along, image, pic::palette::body, "");
+        drawing.add(pic::Label{along + turned(0.62 * across, n, angle / 2), "θ",
+                               pic::palette::angular_velocity});
+        drawing.add(pic::Label{0.5 * along + Vector3(-0.28, 0, 0), "along", pic::palette::ink});
+        return pic::Shot{drawing, pic::fit(drawing, {0.45, 0.42, 1})};
+    });
+}
+
+void printed_picture(lab::Report& report) {
+    const Vector3 n = direction_of({1, 2, 3});
+    const double angle = pi / 3;
+    const Matrix3 right = rotation_about(n, angle), wrong26 = printed::rotation_about(n, angle),
+                  wrong28 = printed::rotation_matrix(quaternion_about(n, angle));
+    const pic::Note note{report.command(),
+                         "a cube turned by 60 degrees about (1, 2, 3)",
+                         "(26*), (26) and (28) as printed",
+                         "",
+                         {{"volume by (26) as printed", wrong26.determinant(), ""},
+                          {"volume by (28) as printed", wrong28.determinant(), ""}}};
+    pic::save(report.path("printed.png"), note, [&]() -> pic::Sheet {
+        const pic::Size third{400, 400};
+        const auto shot = [&](const Matrix3& map, const char* title, pic::Colour colour) {
+            pic::Drawing drawing;
+            drawing.stage({{0, 0, 0}, 1.05}).no_ground();
+            if (map != right)
+                add_cube(drawing, right, {0, 0, 0}, pic::palette::steel, pic::Look::ghost);
+            add_cube(drawing, map, {0, 0, 0}, colour);
+            drawing.title(title);
+            return pic::Shot{drawing, pic::fit(drawing, {0.5, 0.6, 1}, third), third};
+        };
+        return {{shot(right, "(26*), a turn", pic::palette::body),
+                 shot(wrong26, "(26) as printed", pic::palette::explicit_euler),
+                 shot(wrong28, "(28) as printed", pic::palette::explicit_euler)}};
+    });
+}
+
+/// A flat letter F, so that a mirror image can be told from a turned one.
+void add_letter(pic::Drawing& drawing, const std::vector<Vector3>& mirrors, pic::Colour colour) {
+    const auto image = [&](Vector3 p) {
+        for (const Vector3& mirror : mirrors) p = reflected(p, mirror);
+        return p;
+    };
+    const std::vector<std::pair<Vector3, Vector3>> strokes{{{1.1, 0.15, 0}, {1.9, 0.15, 0}},
+                                                           {{1.87, 0.15, 0}, {1.87, 0.55, 0}},
+                                                           {{1.5, 0.15, 0}, {1.5, 0.42, 0}}};
+    for (const auto& [from, to] : strokes)
+        drawing.add(
+            pic::Rod{.from = image(from), .to = image(to), .radius = 0.06, .colour = colour});
+}
+
+void mirrors_picture(lab::Report& report) {
+    // seen along the axis z: the first mirror at 35 degrees, the second 40 further
+    const double first_at = 35 / degrees, between = 40 / degrees;
+    const Vector3 a = turned(y_axis, z_axis, first_at), b = turned(a, z_axis, between);
+    const pic::Note note{report.command(),
+                         "two mirrors",
+                         "reflections",
+                         "",
+                         {{"angle between the mirrors", between * degrees, "degrees"},
+                          {"angle of the turn", 2 * between * degrees, "degrees"}}};
+    pic::save(report.path("mirrors.png"), note, [&]() -> pic::Sheet {
+        pic::Drawing drawing;
+        drawing.no_ground();
+        const auto mirror = [&](double at, const char* name) {
+            const Vector3 along = turned(x_axis, z_axis, at);
+            drawing.add(pic::Box{.pose = placed(quaternion_about(z_axis, at), 1.15 * along),
+                                 .half_extents = {1.15, 0.02, 0.25},
+                                 .colour = pic::palette::steel});
+            drawing.add(pic::Label{2.45 * along, name, pic::palette::ink});
+        };
+        mirror(first_at, "first mirror"), mirror(first_at + between, "second mirror");
+        add_letter(drawing, {}, pic::palette::steel);
+        add_letter(drawing, {a}, pic::palette::explicit_euler);
+        add_letter(drawing, {a, b}, pic::palette::body);
+        const auto angle = [&](double r, double from, double to, const char* name,
+                               pic::Colour colour) {
+            drawing.add(pic::Trail{.points = arc({0, 0, 0}, z_axis, x_axis, r, from, to),
+                                   .colour = colour,
+                                   .width = 4});
+            drawing.add(pic::Label{turned(Vector3(r + 0.16, 0, 0), z_axis, (from + to) / 2), name,
+                                   colour});
+        };
+        angle(0.55, first_at, first_at + between, "θ/2", pic::palette::angular_velocity);
+        const double letter = std::atan2(0.3, 1.5);
+        angle(0.95, letter, letter + 2 * between, "θ", pic::palette::body);
+        return pic::Shot{
+            drawing, pic::fit(drawing, {0, 0.05, 1}, {960, 560}, {.margin = 0.05}), {960, 560}};
+    });
+}
+
+void way_picture(lab::Report& report) {
+    const TwoPoses scene;
+    const pic::Note note{report.command(),
+                         "between two poses",
+                         "slerp, nlerp, three angles",
+                         "",
+                         {{"way", angle_between(scene.from, scene.to) * degrees, "degrees"}}};
+    pic::save(report.path("way.png"), note, [&]() -> pic::Sheet {
+        pic::Drawing drawing;
+        drawing.no_ground();
+        drawing.add(
+            pic::Ball{.radius = 0.97, .colour = pic::palette::ground, .look = pic::Look::solid});
+        add_way(
+            drawing, [&](double s) { return slerp(scene.from, scene.to, s); },
+            pic::palette::exponential, 1.0, "slerp");
+        add_way(
+            drawing, [&](double s) { return nlerp(scene.from, scene.to, s); },
+            pic::palette::symplectic, 1.02, "nlerp");
+        add_way(
+            drawing, [&](double s) { return scene.by_angles(s); }, pic::palette::explicit_euler,
+            1.0, "three angles");
+        const Vector3 middle = rotate(scene.by_angles(0.5), z_axis) +
+                               rotate(slerp(scene.from, scene.to, 0.5), z_axis);
+        return pic::Shot{drawing, pic::fit(drawing, middle, {720, 600}), {720, 600}};
+    });
+}
+
+void gimbal_picture(lab::Report& report) {
+    const pic::Note note{report.command(), "gimbals", "pitch 20 and 90 degrees", "", {}};
+    pic::save(report.path("gimbals.png"), note, [&]() -> pic::Sheet {
+        const pic::Size half{520, 520};
+        pic::Drawing free = gimbals({0.4, -20 / degrees, 0.3}),
+                     locked = gimbals({0.4, -90 / degrees, 0.3});
+        for (pic::Drawing* drawing : {&free, &locked})
+            drawing->no_ground().stage({{0, 0.2, 0}, 2.2});
+        free.title("pitch 20°: three axes"), locked.title("pitch 90°: two");
+        const Vector3 from(0.9, 0.45, 1);
+        return {{{free, pic::fit(free, from, half), half},
+                 {locked, pic::fit(locked, from, half), half}}};
+    });
+}
+
+}  // namespace
+
+void pictures(lab::Report& report) {
+    order_picture(report);
+    along_and_across_picture(report);
+    printed_picture(report);
+    mirrors_picture(report);
+    way_picture(report);
+    gimbal_picture(report);
+}
+
 }  // namespace nutshell
