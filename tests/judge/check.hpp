@@ -18,10 +18,10 @@ struct Verdict {
 };
 
 /// Judges these exercises of a chapter, in order.
-/// @param isolate  where an answer does not compile, leave it out and judge the others all the same (costs a
-/// compilation)
+/// @param for_a_grader  where an answer does not compile, leave it out and judge the others all the same
+/// (costs a compilation)
 std::vector<Verdict> check(const Rooms& rooms, const Chapter& chapter, const std::vector<Number>& numbers,
-                           bool isolate = false);
+                           bool for_a_grader = false);
 
 /// ./course check [N[.M]] [--junit FILE]: prints, remembers what passed. @return the exit code, 0 if all
 /// passed

@@ -1,4 +1,5 @@
 #include "desk.hpp"
+#include <algorithm>
 #include <sstream>
 #include <stdexcept>
 #include "text.hpp"
@@ -79,7 +80,9 @@ std::string start(const Rooms& rooms) {
         said << "Nothing to do. Where you are: ./course check\n";
         return said.str();
     }
-    const Chapter& first = chapters.front();
+    const auto begins = std::find_if(chapters.begin(), chapters.end(),
+                                     [](const Chapter& chapter) { return chapter.number > 0; });
+    const Chapter& first = begins == chapters.end() ? chapters.front() : *begins;  // 0 is the toolbox
     const Number one = first.exercises.front();
     said << '\n'
          << exercises << " exercises wait for you. For the first one, open\n"

@@ -56,7 +56,9 @@ TEST_CASE("check: the first thing to do, then verdicts, then progress that stays
     ran = learner.judge({"check", "1.1"});
     CHECK(ran.exit_code == 0);
     CHECK_THAT(ran.out, ContainsSubstring("passed"));
-    CHECK_THAT(learner.judge({"check", "1"}).out, ContainsSubstring("1 of 8 passed. Next: 1.2"));
+    CHECK_THAT(learner.judge({"check", "1"}).out,
+               ContainsSubstring("1 of " + std::to_string(chapter_of(learner.rooms, first).exercises.size()) +
+                                 " passed. Next: 1.2"));
     CHECK(Progress::read(learner.rooms).entries[first].passed);
     learner.answer(first, wrong);
     CHECK(learner.judge({"check", "1.1"}).exit_code == 1);
@@ -165,7 +167,9 @@ TEST_CASE("A grader's report, --junit, holds every exercise") {
     const fs::path file = learner.folder / "report.xml";
     CHECK(learner.judge({"check", "1", "--junit", file.string()}).exit_code == 1);
     const std::string text = read_text(file);
-    CHECK_THAT(text, ContainsSubstring("<testsuite name=\"01_newton\" tests=\"8\" failures=\"7\">"));
+    const auto count = chapter_of(learner.rooms, first).exercises.size();
+    CHECK_THAT(text, ContainsSubstring("<testsuite name=\"01_newton\" tests=\"" + std::to_string(count) +
+                                       "\" failures=\"" + std::to_string(count - 1) + "\">"));
     CHECK_THAT(text, ContainsSubstring("name=\"1.1 Velocity from two positions\"/>"));
     CHECK_THAT(text, ContainsSubstring("<failure message=\"wrong: always zero\">"));
     CHECK_THAT(text, ContainsSubstring("<failure message=\"not answered yet\">"));

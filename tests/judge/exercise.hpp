@@ -9,6 +9,7 @@
 #include <cmath>
 #include <nutshell/unanswered.hpp>
 #include <nutshell/vector.hpp>
+#include <type_traits>
 #include <utility>
 #include <vector>
 #ifndef NUTSHELL_SHEET
@@ -61,29 +62,40 @@ class Paper {
 #endif
     }
 
-    /// One value to compare. It must agree to 1e-9 of the largest number among `terms`: name each term that
-    /// enters it, first the one the value starts from (the judge then tells a wrong change from a wrong
-    /// start).
-    template <class Value, class Term, class... Terms>
-    void output([[maybe_unused]] const char* name, const Value& value, [[maybe_unused]] const Term& term,
-                [[maybe_unused]] const Terms&... terms) {
-#ifdef NUTSHELL_SHEET
-        send(numbers(value));
-#else
-        keep(name, numbers(value), numbers(term, terms...), {});
+    /// The body that this input is about is turned so (body to world: a quaternion or a matrix). The judge
+    /// then knows a right vector, tensor or rotation in the wrong axes.
+    template <class Rotation>
+    void frame([[maybe_unused]] const Rotation& body_to_world) {
+#ifndef NUTSHELL_SHEET
+        frame_ = numbers(Matrix3(body_to_world));
 #endif
     }
 
-    /// Like output(), for the end of a run over a fixed time with steps of step(): `exact` is what it
-    /// converges to. From runs at h, h/2 and h/4 the judge tells a wrong formula from a wrong scheme.
+    /// One value to compare. It must agree to 1e-9 of the largest number among `terms`: name each term that
+    /// enters it.
+    template <class Value, class Term, class... Terms>
+    void output(const char* name, const Value& value, [[maybe_unused]] const Term& term,
+                [[maybe_unused]] const Terms&... terms) {
+        give(
+            name, value, [&] { return numbers(term, terms...); }, Nothing{}, Nothing{});
+    }
+
+    /// The same of a value that the answer changes from `start`, which is one of the terms: the judge then
+    /// knows a wrong change, and none.
+    template <class Value, class Start, class... Terms>
+    void changed(const char* name, const Value& value, const Start& start,
+                 [[maybe_unused]] const Terms&... terms) {
+        give(
+            name, value, [&] { return numbers(start, terms...); }, start, Nothing{});
+    }
+
+    /// The same of the end of a run over a fixed time with steps of step(): `exact` is what it converges to.
+    /// From runs at h, h/2 and h/4 the judge tells a wrong formula from a wrong scheme.
     template <class Value, class Exact, class Term, class... Terms>
-    void run([[maybe_unused]] const char* name, const Value& value, [[maybe_unused]] const Exact& exact,
-             [[maybe_unused]] const Term& term, [[maybe_unused]] const Terms&... terms) {
-#ifdef NUTSHELL_SHEET
-        send(numbers(value));
-#else
-        keep(name, numbers(value), numbers(term, terms...), numbers(exact));
-#endif
+    void run(const char* name, const Value& value, const Exact& exact, [[maybe_unused]] const Term& term,
+             [[maybe_unused]] const Terms&... terms) {
+        give(
+            name, value, [&] { return numbers(term, terms...); }, Nothing{}, exact);
     }
 
     /// `h` in the first round of questions, then h/2, then h/4. An exercise that never calls it is asked
@@ -92,19 +104,23 @@ class Paper {
         stepped_ = true;
         return std::ldexp(h, -level_);
     }
-    bool stepped() const {
-        return stepped_;
+    /// Asks everything: at h, and if the questions have a step, at h/2 and h/4; or once more at h.
+    template <class Questions, class Answer>
+    void ask(const Answer& answer) {
+        for (level_ = 0; level_ < (stepped_ ? 3 : 1); ++level_) Questions::ask(*this, answer);
     }
-    void next_level() {
-        ++level_;
+    template <class Questions, class Answer>
+    void ask_once_more(const Answer& answer) {
+        level_ = 0;
+        Questions::ask(*this, answer);
     }
-    /// False when questions about states of other types are to be left out: the learner's step moves one type
-    /// only.
-    bool other_states() const {
-        return other_states_;
+
+    /// False when questions that go beyond what the function must do are left out (see HOWTO, "beyond").
+    bool asks_beyond() const {
+        return beyond_;
     }
-    void leave_out_other_states() {
-        other_states_ = false;
+    void leave_out_beyond() {
+        beyond_ = false;
     }
 
 #ifndef NUTSHELL_SHEET
@@ -114,8 +130,21 @@ class Paper {
 #endif
 
   private:
+    using Nothing = std::vector<double>;
+
+    template <class Value, class Terms, class Start, class Exact>
+    void give([[maybe_unused]] const char* name, const Value& value, [[maybe_unused]] const Terms& terms,
+              [[maybe_unused]] const Start& start, [[maybe_unused]] const Exact& exact) {
+#ifdef NUTSHELL_SHEET
+        send(numbers(value));
+#else
+        keep(name, numbers(value), terms(), numbers(start), numbers(exact),
+             std::is_same_v<Value, Quaternion>);
+#endif
+    }
+
     int level_ = 0;
-    bool stepped_ = false, other_states_ = true;
+    bool stepped_ = false, beyond_ = true;
 #ifndef NUTSHELL_SHEET
     void begin_input();
     void describe(const char* name_or_words);
@@ -129,32 +158,25 @@ class Paper {
         describe(numbers(value));
     }
     void keep(const char* name, std::vector<double> values, const std::vector<double>& terms,
-              std::vector<double> exact);
+              std::vector<double> start, std::vector<double> exact, bool quaternion);
     Record record_;
-    int described_ = 0;
+    std::vector<double> frame_;
+    std::string name_;  ///< of the value that comes next
 #endif
 };
 
-/// Asks all questions of an exercise: at h, and if its questions have a step, at h/2 and h/4.
-template <class Questions, class Answer>
-void ask_all(Paper& paper, const Answer& answer) {
-    Questions::ask(paper, answer);
-    for (int level = 1; level < 3 && paper.stepped(); ++level) {
-        paper.next_level();
-        Questions::ask(paper, answer);
-    }
-}
-
 #ifdef NUTSHELL_SHEET
 
-bool enter(const char* id, void (*ask)());  // in sheet.cpp
+bool enter(const char* id, void (*ask)(Paper&, bool once_more));  // in sheet.cpp
 
 /// The last line of an exercise's file: inline const bool name_entered = enter<Name>();
 template <class Questions>
 bool enter() {
-    return enter(Questions::id, [] {
-        Paper paper;
-        ask_all<Questions>(paper, Questions::subject);
+    return enter(Questions::id, [](Paper& paper, bool once_more) {
+        if (once_more)
+            paper.ask_once_more<Questions>(Questions::subject);
+        else
+            paper.ask<Questions>(Questions::subject);
     });
 }
 
@@ -163,18 +185,51 @@ bool enter() {
 bool enter(Exercise exercise);  // in rooms.cpp
 
 template <class Questions, class Answer>
-Attempt attempt(Answer answer) {
-    return [answer](Paper& paper) { ask_all<Questions>(paper, answer); };
+Attempt asked(Answer answer) {
+    return [answer](Paper& paper) { paper.ask<Questions>(answer); };
 }
+
+/// What an exercise says of itself: the words and the answers that are known, right and wrong.
+template <class Questions>
+struct About {
+    /// A mistake: {name, origin, symptom, sentence, the wrong answer}; see Mistake.
+    struct Wrong : Mistake {
+        template <class Answer>
+        Wrong(std::string called, std::string from, std::string seen, std::string why, Answer answer)
+            : Mistake{std::move(called), std::move(from), std::move(seen), std::move(why),
+                      asked<Questions>(answer)} {}
+    };
+    /// Another right answer: {a few words, the answer}.
+    struct Right : Alternative {
+        template <class Answer>
+        Right(std::string called, Answer answer) : Alternative{std::move(called), asked<Questions>(answer)} {}
+    };
+
+    std::string title;                 ///< a few words
+    std::array<std::string, 3> hints;  ///< from a nudge to nearly there; none holds a line of the solution
+    int order = 0;                     ///< of the right answer's runs; 0 if it has none
+    std::string picture = {};          ///< a file of out/NN_name/ that shows what matters here, or empty
+    std::string beyond = {};           ///< said of an answer for which the questions beyond do not compile
+    std::vector<Wrong> mistakes;
+    std::vector<Right> alternatives;
+    std::vector<Survivor> survivors = {};
+};
 
 /// The last line of an exercise's file: inline const bool name_entered = enter<Name>();
 template <class Questions>
 bool enter() {
-    Exercise exercise = Questions::about();
-    exercise.id = Questions::id;
-    exercise.function = Questions::function;
-    exercise.reference = attempt<Questions>(Questions::subject);
-    return enter(std::move(exercise));
+    auto about = Questions::about();
+    return enter({.id = Questions::id,
+                  .function = Questions::function,
+                  .title = about.title,
+                  .hints = about.hints,
+                  .order = about.order,
+                  .picture = about.picture,
+                  .beyond = about.beyond,
+                  .mistakes = {about.mistakes.begin(), about.mistakes.end()},
+                  .alternatives = {about.alternatives.begin(), about.alternatives.end()},
+                  .survivors = about.survivors,
+                  .reference = asked<Questions>(Questions::subject)});
 }
 
 #endif

@@ -13,8 +13,8 @@ namespace {
 
 const Rooms rooms{CONFIG_COURSE, "/nonexistent/answers", "/nonexistent/work", CONFIG_SHARED};
 
-std::vector<std::vector<double>> values_of(const Record& record) {
-    std::vector<std::vector<double>> values;
+std::vector<Values> values_of(const Record& record) {
+    std::vector<Values> values;
     for (const auto& output : record.outputs) values.push_back(output.values);
     return values;
 }
@@ -139,7 +139,7 @@ TEST_CASE("Every single number counts: moved by 2e-9 of its scale it fails, by 5
         const Record reference = record_of(exercise.reference);
         for (std::size_t i = 0; i < reference.outputs.size(); ++i) {
             const auto& output = reference.outputs[i];
-            INFO(exercise.id << ": " << output.name << ", input " << reference.inputs[output.input]);
+            INFO(exercise.id << ": " << output.name << ", input " << reference.inputs[output.input].words);
             double largest = 0;
             for (const double value : output.values) largest = std::max(largest, std::abs(value));
             CHECK(std::isfinite(output.scale));

@@ -93,6 +93,9 @@ int main(int argc, char** argv) {
     } catch (const std::invalid_argument& problem) {
         std::cerr << "course: " << problem.what() << '\n';
         return 2;
+    } catch (const MachineFault& problem) {
+        std::cerr << "course: " << problem.what() << '\n';
+        return 3;
     } catch (const std::exception& problem) {
         std::cerr << "course: " << problem.what() << '\n';
         return 1;

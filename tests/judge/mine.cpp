@@ -28,10 +28,6 @@ std::string ranges(std::vector<Number> numbers) {
     return text;
 }
 
-void write_if_changed(const fs::path& file, const std::string& text) {
-    if (!fs::exists(file) || read_text(file) != text) write_text(file, text);
-}
-
 struct Stock {
     std::vector<Number> own, reference;
 };

@@ -1,7 +1,6 @@
 #include "process.hpp"
 #include <fcntl.h>
 #include <poll.h>
-#include <sys/file.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -13,7 +12,8 @@
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
-#include <stdexcept>
+#include <fstream>
+#include "cage.hpp"
 
 namespace nutshell::judge {
 
@@ -26,18 +26,18 @@ struct Pipe {
     Pipe() {
         int ends[2];
         if (pipe2(ends, O_CLOEXEC) != 0)
-            throw std::runtime_error(std::string("cannot make a pipe: ") + std::strerror(errno));
+            throw MachineFault(std::string("cannot make a pipe: ") + std::strerror(errno));
         read = ends[0], write = ends[1];
     }
     ~Pipe() {
-        close(read);
-        close_write();
+        close_end(read);
+        close_end(write);
     }
     Pipe(const Pipe&) = delete;
     Pipe& operator=(const Pipe&) = delete;
-    void close_write() {
-        if (write >= 0) close(write);
-        write = -1;
+    static void close_end(int& end) {
+        if (end >= 0) close(end);
+        end = -1;
     }
 };
 
@@ -46,28 +46,62 @@ void limit(int which, rlim_t value, rlim_t grace = 0) {
     setrlimit(static_cast<__rlimit_resource>(which), &both);
 }
 
-[[noreturn]] void become(const std::vector<char*>& words, const Limits& limits, int out, int err, int extra) {
+[[noreturn]] void become(const std::vector<char*>& words, const Limits& limits, int in, int out, int err,
+                         int extra, int failed) {
     setpgid(0, 0);
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     signal(SIGPIPE, SIG_DFL);
     signal(SIGINT, SIG_DFL);
-    const int nothing = open("/dev/null", O_RDONLY);
     // first out of the way of 0..3, then into place
-    const int safe_extra = fcntl(extra, F_DUPFD_CLOEXEC, 100), safe_out = fcntl(out, F_DUPFD_CLOEXEC, 100),
-              safe_err = fcntl(err, F_DUPFD_CLOEXEC, 100);
-    dup2(nothing, 0);
-    dup2(safe_out, 1);
-    dup2(safe_err, 2);
-    dup2(safe_extra, pipe_number);
+    std::array<int, 4> safe{};
+    const std::array<int, 4> ends{in, out, err, extra};
+    for (std::size_t i = 0; i < 4; ++i) safe[i] = fcntl(ends[i], F_DUPFD_CLOEXEC, 100);
+    const int tell = fcntl(failed, F_DUPFD_CLOEXEC, 100);
+    for (std::size_t i = 0; i < 4; ++i) dup2(safe[i], static_cast<int>(i));
     for (int other = pipe_number + 1; other < 64; ++other) close(other);
     setenv("LC_ALL", "C", 1);  // a compiler's messages in the one form that explain() reads
     // Last, for they are meant for the program to come: with sanitizers this one is far beyond them.
     limit(RLIMIT_CORE, 0);
     if (limits.cpu_seconds) limit(RLIMIT_CPU, limits.cpu_seconds, 1);  // SIGXCPU, and a second later SIGKILL
     if (limits.memory) limit(RLIMIT_AS, limits.memory);
+    if (limits.caged) close_cage();
     execvp(words[0], words.data());
+    const int reason = errno;
+    if (write(tell, &reason, sizeof reason) < 0) _exit(126);
     _exit(127);
 }
+
+/// Ends what a child of ours started and left behind: it has become a child of ours in its turn.
+void end_those_left_behind() {
+    const std::string children = "/proc/self/task/" + std::to_string(gettid()) + "/children";
+    for (int round = 0; round < 100; ++round) {
+        std::ifstream list(children);
+        bool any = false;
+        for (pid_t left; list >> left; any = true) {
+            kill(left, SIGKILL);
+            waitpid(left, nullptr, 0);
+        }
+        if (!any) return;
+    }
+}
+
+/// What a child writes, kept up to a limit.
+struct Stream {
+    int file;
+    std::string* kept;
+    std::size_t most, seen = 0;
+    bool open = true;
+
+    /// @return whether anything came
+    bool take(std::vector<char>& buffer) {
+        const auto count = read(file, buffer.data(), buffer.size());
+        if (count <= 0) return open = false;
+        const auto bytes = static_cast<std::size_t>(count);
+        seen += bytes;
+        kept->append(buffer.data(), std::min(bytes, most - std::min(most, kept->size())));
+        return true;
+    }
+};
 
 }  // namespace
 
@@ -77,19 +111,15 @@ Ran run(const std::vector<std::string>& words, const Limits& limits) {
     arguments.push_back(nullptr);
 
     Ran ran;
-    Pipe out, err, extra;
+    Pipe in, out, err, extra, failed;
+    if (limits.caged) prctl(PR_SET_CHILD_SUBREAPER, 1);
     const pid_t child = fork();
-    if (child < 0) throw std::runtime_error("cannot start " + words[0] + ": " + std::strerror(errno));
-    if (child == 0) become(arguments, limits, out.write, err.write, extra.write);
+    if (child < 0) throw MachineFault("cannot start " + words[0] + ": " + std::strerror(errno));
+    if (child == 0) become(arguments, limits, in.read, out.write, err.write, extra.write, failed.write);
     setpgid(child, child);  // both sides set it: whoever is first
-    out.close_write(), err.close_write(), extra.close_write();
+    for (int* end : {&in.read, &out.write, &err.write, &extra.write, &failed.write}) Pipe::close_end(*end);
+    if (limits.reply.empty()) Pipe::close_end(in.write);
 
-    struct Stream {
-        int file;
-        std::string* kept;
-        std::size_t most, seen = 0;
-        bool open = true;
-    };
     std::array<Stream, 3> streams{{{out.read, &ran.out, limits.printed},
                                    {err.read, &ran.err, limits.printed},
                                    {extra.read, &ran.pipe, 64 * 1024 * 1024}}};
@@ -111,22 +141,16 @@ Ran run(const std::vector<std::string>& words, const Limits& limits) {
         poll(polled.data(), polled.size(), gone ? 0 : listening ? 20 : 1);
         bool any = false;
         for (std::size_t i = 0; i < 3; ++i) {
-            Stream& stream = streams[i];
-            if (!stream.open || !(polled[i].revents & (POLLIN | POLLHUP))) continue;
-            const auto count = read(stream.file, buffer.data(), buffer.size());
-            if (count <= 0) {
-                stream.open = false;
-                continue;
-            }
-            any = true;
-            const auto bytes = static_cast<std::size_t>(count);
-            stream.seen += bytes;
-            stream.kept->append(buffer.data(),
-                                std::min(bytes, stream.most - std::min(stream.most, stream.kept->size())));
-            if (stream.seen > 16 * stream.most && !killed) {
+            if (!streams[i].open || !(polled[i].revents & (POLLIN | POLLHUP))) continue;
+            any = streams[i].take(buffer) || any;
+            if (streams[i].seen > 16 * streams[i].most && !killed) {
                 ran.printed_too_much = true;
                 stop();
             }
+        }
+        if (in.write >= 0 && streams[2].seen > 0) {
+            if (write(in.write, limits.reply.data(), limits.reply.size()) < 0) stop();
+            Pipe::close_end(in.write);
         }
         if (!gone && wait4(child, &status, WNOHANG, &used) == child)
             gone = true;
@@ -138,6 +162,9 @@ Ran run(const std::vector<std::string>& words, const Limits& limits) {
         }
     }
     kill(-child, SIGKILL);  // whatever it left behind
+    if (limits.caged) end_those_left_behind();
+    if (int reason = 0; read(failed.read, &reason, sizeof reason) == sizeof reason)
+        throw MachineFault("cannot start " + words[0] + ": " + std::strerror(reason));
     ran.seconds = static_cast<double>(used.ru_utime.tv_sec + used.ru_stime.tv_sec) +
                   1e-6 * static_cast<double>(used.ru_utime.tv_usec + used.ru_stime.tv_usec);
     if (WIFEXITED(status))
@@ -146,16 +173,6 @@ Ran run(const std::vector<std::string>& words, const Limits& limits) {
         ran.signal = WTERMSIG(status);
     if (ran.signal == SIGXCPU) ran.out_of_time = true;
     return ran;
-}
-
-Lock::Lock(const std::filesystem::path& folder) {
-    std::filesystem::create_directories(folder);
-    file_ = open((folder / "lock").c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0666);
-    if (file_ >= 0) flock(file_, LOCK_EX);
-}
-
-Lock::~Lock() {
-    if (file_ >= 0) close(file_);
 }
 
 }  // namespace nutshell::judge

@@ -1,9 +1,9 @@
 // Runs another program under limits and keeps what it says.
 #pragma once
 #include <cstddef>
-#include <filesystem>
 #include <string>
 #include <vector>
+#include "machine.hpp"
 
 namespace nutshell::judge {
 
@@ -12,6 +12,8 @@ struct Limits {
     unsigned cpu_seconds = 0;     ///< 0: no limit of its own
     std::size_t memory = 0;       ///< address space [bytes]; 0: no limit
     std::size_t printed = 65536;  ///< kept of each stream [bytes]; beyond 16 times that it is killed
+    std::string reply = {};       ///< given to its standard input once it has written to the pipe
+    bool caged = false;           ///< it may start no process and signal none but itself
 };
 
 struct Ran {
@@ -26,20 +28,8 @@ struct Ran {
 
 inline constexpr int pipe_number = 3;  ///< the descriptor of the extra pipe in the program that is run
 
-/// @param words  the program (searched in PATH) and its arguments   @throws std::runtime_error if it cannot
-/// be started
+/// @param words  the program (searched in PATH) and its arguments   @throws MachineFault if it cannot be
+/// started
 Ran run(const std::vector<std::string>& words, const Limits& limits);
-
-/// While it lives no other process gets past this line for the same folder. The lock goes with the process.
-class Lock {
-  public:
-    explicit Lock(const std::filesystem::path& folder);
-    ~Lock();
-    Lock(const Lock&) = delete;
-    Lock& operator=(const Lock&) = delete;
-
-  private:
-    int file_;
-};
 
 }  // namespace nutshell::judge

@@ -3,25 +3,35 @@
 #include <array>
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace nutshell::exercises {
 
 class Paper;
 
+/// What was asked, as it is shown, and its numbers by name.
+struct Input {
+    std::string words;
+    std::vector<std::pair<std::string, std::vector<double>>> values;
+    int level;  ///< 0, 1, 2: asked with steps of h, h/2, h/4
+};
+
 /// One compared value of an answer.
 struct Output {
     std::string name;
     std::size_t input;  ///< which input it belongs to
-    int level;          ///< 0, 1, 2: made with steps of h, h/2, h/4
+    int level;          ///< that of its input
     std::vector<double> values;
     double scale;               ///< the largest term that enters it: it must be right to 1e-9 of this
-    std::vector<double> start;  ///< the first term, if it is of the value's size: what the value starts from
-    std::vector<double> exact;  ///< what it tends to when the step goes to zero; empty if that was not said
+    std::vector<double> start;  ///< what the value is changed from; empty if it is new
+    std::vector<double> exact;  ///< of a run: what it tends to as the step goes to zero
+    bool quaternion = false;    ///< a rotation: q and -q are the same
+    std::vector<double> frame;  ///< body to world, a matrix by columns, where the question has a body
 };
 /// All that an answer gave for the questions of an exercise.
 struct Record {
-    std::vector<std::string> inputs;
+    std::vector<Input> inputs;
     std::vector<Output> outputs;
 };
 
@@ -41,17 +51,24 @@ struct Alternative {
     Attempt attempt;
 };
 
+/// A mutant of the reference's body that is as right as the body itself, and why.
+struct Survivor {
+    std::string mutant;  ///< as `judge gates N.M` names it: "< to <= (1st)"
+    std::string reason;
+};
+
 /// What the judge knows of an exercise besides its questions.
 struct Exercise {
-    std::string id = {}, function = {};  ///< filled in by enter() and from Questions
-    std::string title = {};              ///< a few words
-    /// From a nudge to nearly there; none holds a line of the solution.
-    std::array<std::string, 3> hints = {};
-    int order = 0;             ///< the order of convergence of the right answer's runs; 0 if it has none
-    std::string picture = {};  ///< a file of out/NN_name/ that shows what matters here, or empty
-    std::vector<Mistake> mistakes = {};
-    std::vector<Alternative> alternatives = {};
-    Attempt reference = {};  ///< filled in by enter()
+    std::string id, function;
+    std::string title;
+    std::array<std::string, 3> hints;
+    int order = 0;
+    std::string picture;
+    std::string beyond;
+    std::vector<Mistake> mistakes;
+    std::vector<Alternative> alternatives;
+    std::vector<Survivor> survivors;
+    Attempt reference;
 };
 
 }  // namespace nutshell::exercises

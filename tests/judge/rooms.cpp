@@ -12,8 +12,12 @@ namespace nutshell::exercises {
 namespace {
 
 std::string digits(double value) {
+    if (value == 0) return "0";  // no "-0"
     char text[40];
-    std::snprintf(text, sizeof text, "%.6g", value == 0 ? 0 : value);  // no "-0"
+    for (int precision = 6; precision <= 17; ++precision) {  // as many as tell it from its neighbours
+        std::snprintf(text, sizeof text, "%.*g", precision, value);
+        if (std::abs(std::strtod(text, nullptr) - value) <= 1e-9 * std::abs(value)) break;
+    }
     return text;
 }
 std::vector<Exercise>& entered() {
@@ -29,39 +33,37 @@ bool enter(Exercise exercise) {
 }
 
 void Paper::begin_input() {
-    record_.inputs.emplace_back();
-    described_ = 0;
+    record_.inputs.push_back({"", {}, level_});
+    frame_.clear();
+    name_.clear();
 }
 
 void Paper::describe(const char* name_or_words) {
-    std::string& text = record_.inputs.back();
-    text += (text.empty() ? "" : described_ % 2 == 0 ? ", " : " ") + std::string(name_or_words);
-    ++described_;
+    std::string& text = record_.inputs.back().words;
+    text += (text.empty() ? "" : name_.empty() ? ", " : " ") + std::string(name_or_words);
+    name_ = name_.empty() ? name_or_words : "";
 }
 
 void Paper::describe(double value) {
-    record_.inputs.back() += " " + digits(value);
-    ++described_;
+    record_.inputs.back().words += " " + digits(value);
+    record_.inputs.back().values.push_back({std::exchange(name_, ""), {value}});
 }
 
 void Paper::describe(const std::vector<double>& values) {
-    std::string& text = record_.inputs.back();
+    std::string& text = record_.inputs.back().words;
     text += " (";
     for (std::size_t i = 0; i < values.size() && i < 6; ++i) text += (i ? ", " : "") + digits(values[i]);
     text += values.size() > 6 ? ", ...)" : ")";
-    ++described_;
+    record_.inputs.back().values.push_back({std::exchange(name_, ""), values});
 }
 
 void Paper::keep(const char* name, std::vector<double> values, const std::vector<double>& terms,
-                 std::vector<double> exact) {
+                 std::vector<double> start, std::vector<double> exact, bool quaternion) {
     double scale = 0;
     for (const double term : terms) scale = std::max(scale, std::abs(term));
-    std::vector<double> start;  // by convention the first term is what the value starts from
-    if (terms.size() >= values.size())
-        start.assign(terms.begin(), terms.begin() + static_cast<std::ptrdiff_t>(values.size()));
     if (record_.inputs.empty()) begin_input();
     record_.outputs.push_back({name, record_.inputs.size() - 1, level_, std::move(values), scale,
-                               std::move(start), std::move(exact)});
+                               std::move(start), std::move(exact), quaternion, frame_});
 }
 
 }  // namespace nutshell::exercises
@@ -131,9 +133,9 @@ const exercises::Exercise& exercise_of(Number number) {
         " has no file in its chapter's folder exercises/, or the judge was built without it");
 }
 
-exercises::Record record_of(const exercises::Attempt& attempt, bool other_states) {
+exercises::Record record_of(const exercises::Attempt& attempt, bool beyond) {
     exercises::Paper paper;
-    if (!other_states) paper.leave_out_other_states();
+    if (!beyond) paper.leave_out_beyond();
     attempt(paper);
     return paper.record();
 }

@@ -39,7 +39,7 @@ std::filesystem::path questions_file(const Rooms& rooms, const Chapter& chapter,
 const std::vector<exercises::Exercise>& all_exercises();
 /// @throws std::runtime_error if that exercise has marks but no file
 const exercises::Exercise& exercise_of(Number number);
-/// What an attempt gives for the questions.
-exercises::Record record_of(const exercises::Attempt& attempt, bool other_states = true);
+/// What an attempt gives for the questions. @param beyond  with those that go beyond what it must do
+exercises::Record record_of(const exercises::Attempt& attempt, bool beyond = true);
 
 }  // namespace nutshell::judge

@@ -17,26 +17,33 @@ namespace nutshell::exercises {
 namespace {
 
 int pipe_to_judge = -1;
+char again = 'v';          // the letter of the numbers
+std::uint64_t secret = 0;  // what the judge gave main: records without it are not the sheet's
 
-/// One record: a letter, the length of what follows, and that.
-/// v: numbers of one output   u: the body of exercise ... is not answered   x: an exception says ...   e: the
-/// end
-void record(char letter, const void* data, std::size_t size) {
-    std::vector<char> bytes(1 + sizeof(std::uint32_t) + size);
-    const auto length = static_cast<std::uint32_t>(size);
-    bytes[0] = letter;
-    std::memcpy(bytes.data() + 1, &length, sizeof length);
-    if (size) std::memcpy(bytes.data() + 1 + sizeof length, data, size);
-    for (std::size_t done = 0; done < bytes.size();) {
-        const auto count = write(pipe_to_judge, bytes.data() + done, bytes.size() - done);
+void write_all(const void* data, std::size_t size) {
+    for (const char* at = static_cast<const char*>(data); size > 0;) {
+        const auto count = write(pipe_to_judge, at, size);
         if (count <= 0) _exit(3);
-        done += static_cast<std::size_t>(count);
+        at += count, size -= static_cast<std::size_t>(count);
     }
+}
+
+/// One record: a letter, the secret, the length of what follows, and that.
+/// v: numbers of one output   w: the same, asked once more   u: the body of exercise ... is not answered
+/// x: an exception says ...   e: the end
+void record(char letter, const void* data, std::size_t size) {
+    const auto length = static_cast<std::uint32_t>(size);
+    std::vector<char> bytes(1 + sizeof secret + sizeof length + size);
+    bytes[0] = letter;
+    std::memcpy(&bytes[1], &secret, sizeof secret);
+    std::memcpy(&bytes[1 + sizeof secret], &length, sizeof length);
+    if (size) std::memcpy(&bytes[1 + sizeof secret + sizeof length], data, size);
+    write_all(bytes.data(), bytes.size());
 }
 
 struct Entry {
     const char* id;
-    void (*ask)();
+    void (*ask)(Paper&, bool once_more);
 };
 std::vector<Entry>& entries() {
     static std::vector<Entry> all;
@@ -46,10 +53,10 @@ std::vector<Entry>& entries() {
 }  // namespace
 
 void send(const std::vector<double>& values) {
-    record('v', values.data(), values.size() * sizeof(double));
+    record(again, values.data(), values.size() * sizeof(double));
 }
 
-bool enter(const char* id, void (*ask)()) {
+bool enter(const char* id, void (*ask)(Paper&, bool once_more)) {
     entries().push_back({id, ask});
     return true;
 }
@@ -58,7 +65,10 @@ static int answer_sheet(const char* id) {
     for (const Entry& entry : entries()) {
         if (std::strcmp(entry.id, id) != 0) continue;
         try {
-            entry.ask();
+            Paper paper;
+            entry.ask(paper, false);
+            again = 'w';
+            entry.ask(paper, true);
         } catch (const Unanswered& body) {
             record('u', body.exercise, std::strlen(body.exercise));
         } catch (const std::exception& problem) {
@@ -75,10 +85,12 @@ static int answer_sheet(const char* id) {
 }  // namespace nutshell::exercises
 
 int main(int argc, char** argv) {
+    using namespace nutshell::exercises;
     if (argc != 3) return 2;
     const int given = std::atoi(argv[2]);
-    nutshell::exercises::pipe_to_judge =
-        fcntl(given, F_DUPFD_CLOEXEC, 200);  // out of the way of an answer's own files
+    pipe_to_judge = fcntl(given, F_DUPFD_CLOEXEC, 200);  // out of the way of an answer's own files
     close(given);
-    return nutshell::exercises::answer_sheet(argv[1]);
+    write_all("r", 1);  // ready: only now the judge hands over the secret
+    if (read(0, &secret, sizeof secret) != sizeof secret) return 2;
+    return answer_sheet(argv[1]);
 }

@@ -2,10 +2,11 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstring>
+#include <random>
 #include <regex>
 #include <stdexcept>
-#include <utility>
 #include "judge_config.hpp"
+#include "product.hpp"
 #include "text.hpp"
 
 namespace nutshell::judge {
@@ -14,62 +15,19 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// A program made by a command out of files: made again when the command or one of the files has changed.
-struct Product {
-    fs::path file;
-    std::vector<std::string>
-        command;  ///< writes the names of what it read to file + ".d", as make likes them
-    Limits limits;
-
-    bool is_fresh() const {
-        std::error_code problem;
-        const auto made = fs::last_write_time(note(), problem);  // when its making began
-        if (problem || !fs::exists(file) || read_text(note()) != joined(command, "\n")) return false;
-        for (const fs::path& source : sources()) {
-            const auto changed = fs::last_write_time(source, problem);
-            if (problem || changed >= made) return false;
-        }
-        return true;
-    }
-    Ran make() const {
-        fs::create_directories(file.parent_path());
-        std::error_code ignored;
-        fs::remove(file, ignored);
-        write_text(note(),
-                   joined(command, "\n"));  // before: what is saved while it is compiled makes it stale again
-        return run(command, limits);
-    }
-
-  private:
-    fs::path note() const { return file.string() + ".command"; }
-    std::vector<fs::path> sources() const {
-        std::vector<fs::path> all;
-        std::error_code problem;
-        const fs::path list = file.string() + ".d";
-        if (!fs::exists(list, problem)) return {list};  // unknown: not fresh
-        std::string text = replaced(read_text(list), "\\\n", " "), word;
-        for (std::size_t i = text.find(": ") + 1; i < text.size(); ++i) {
-            if (text[i] == '\\' && i + 1 < text.size())
-                word += text[++i];
-            else if (text[i] != ' ' && text[i] != '\n')
-                word += text[i];
-            else if (!word.empty())
-                all.emplace_back(std::exchange(word, ""));
-        }
-        return all;
-    }
-};
-
-/// What the sheet and the precompiled header have in common.
+/// What the sheet and the precompiled header have in common: the build's own flags, and the sheet's.
 std::vector<std::string> compiler_words(const Rooms& rooms) {
     std::vector<std::string> words{CONFIG_COMPILER};
-    for (const auto& flag : {"-std=c++20", "-O1", "-fno-finite-loops", "-ffp-contract=off",
-                             "-fdiagnostics-color=never", "-DEIGEN_DONT_VECTORIZE",
-                             "-DEIGEN_INITIALIZE_MATRICES_BY_NAN", "-DNUTSHELL_SHEET", "-Werror=return-type"})
+    for (const auto& flag : lines_of(CONFIG_FLAGS)) words.push_back(flag);
+    for (const auto& flag : {"-O1", "-fno-finite-loops", "-fdiagnostics-color=never", "-DNUTSHELL_SHEET",
+                             "-DEIGEN_INITIALIZE_MATRICES_BY_NAN", "-Werror=return-type"})
         words.emplace_back(flag);
-    for (const auto& folder : lines_of(CONFIG_EIGEN_FOLDERS)) words.insert(words.end(), {"-isystem", folder});
-    for (const char* room : {"common/base", "common/math"})
-        words.push_back("-I" + (rooms.course / room).string());
+    const auto system = lines_of(CONFIG_SYSTEM_FOLDERS);
+    for (const auto& folder : system) words.insert(words.end(), {"-isystem", folder});
+    const std::string chapters = (rooms.course / "chapters" / "").string();
+    for (const auto& folder : lines_of(CONFIG_FOLDERS))
+        if (!starts_with(folder, chapters) && std::find(system.begin(), system.end(), folder) == system.end())
+            words.push_back("-I" + folder);
     return words;
 }
 
@@ -92,47 +50,51 @@ bool Sheets::prepare(const Rooms& rooms) {
     // itself
     write_text(precompiled(rooms), "#include \"" + source.string() + "\"\n");
     const Ran ran = product.make();
-    if (ran.exit_code != 0) throw std::runtime_error("the precompiled header could not be made:\n" + ran.err);
+    if (ran.exit_code != 0) throw MachineFault("the precompiled header could not be made:\n" + ran.err);
     return true;
 }
 
-Sheet Sheets::compile(const std::vector<Number>& numbers, bool one_state) const {
-    prepare(rooms_);
+Product Sheets::product(const std::vector<Number>& numbers, bool beyond) const {
     // only exercises of one sheet in one file, so that another set does not make this one stale
     std::string name = std::to_string(chapter_.number);
     if (numbers.size() != chapter_.exercises.size())
         for (const Number number : numbers) name += "_" + std::to_string(number.exercise);
-    if (one_state) name += "_one_state";
-    if (!overlay_.empty()) name += "_overlay";
+    if (!beyond) name += "_essentials";
+    if (!overlay_.empty()) name += "_" + overlay_.filename().string();
     const fs::path list = rooms_.work / ("sheet_" + name + ".hpp"), program = rooms_.work / ("sheet_" + name);
     std::string text;
     for (const Number number : numbers)
         text += "#include \"" + questions_file(rooms_, chapter_, number).string() + "\"\n";
-    if (!fs::exists(list) || read_text(list) != text) write_text(list, text);
+    write_if_changed(list, text);
 
     auto words = compiler_words(rooms_);
     words.insert(words.end(), {"-include", precompiled(rooms_).string(),
                                "-DNUTSHELL_EXERCISES=\"" + list.string() + "\""});
-    if (one_state) words.emplace_back("-DNUTSHELL_ONE_STATE");
+    if (!beyond) words.emplace_back("-DNUTSHELL_ESSENTIALS");
     if (!overlay_.empty()) words.push_back("-I" + overlay_.string());
     words.push_back("-I" + (rooms_.answers / chapter_.folder).string());
     for (const Chapter& chapter : chapters_of(rooms_))
         if (chapter.number <= chapter_.number)
             words.push_back("-I" + (rooms_.course / "chapters" / chapter.folder).string());
     words.push_back("-I" + (rooms_.course / "tests/judge").string());
-    words.insert(words.end(),
-                 {"-Wuninitialized", "-Wmaybe-uninitialized", "-Wunused-value", "-Wparentheses"});
+    for (const auto* warning : {"-Wuninitialized", "-Wmaybe-uninitialized", "-Wunused-value", "-Wparentheses",
+                                "-Wfloat-conversion"})
+        words.emplace_back(warning);
     words.insert(words.end(), {(rooms_.course / "tests/judge/sheet.cpp").string(), "-MMD", "-MF",
                                program.string() + ".d", "-o", program.string()});
+    for (const auto& library : lines_of(CONFIG_LIBRARIES)) words.push_back(library);
+    return {program,
+            words,
+            {.wall_seconds = 60, .cpu_seconds = 60, .memory = std::size_t{4} << 30, .printed = 1 << 20}};
+}
 
-    Sheet sheet{program, {}, {}, false};
-    const fs::path said = program.string() + ".said";
-    const Product product{
-        program,
-        words,
-        {.wall_seconds = 60, .cpu_seconds = 60, .memory = std::size_t{4} << 30, .printed = 1 << 20}};
-    if (!product.is_fresh()) {
-        const Ran ran = product.make();
+Sheet Sheets::compile(const std::vector<Number>& numbers, bool beyond) const {
+    prepare(rooms_);
+    const Product made = product(numbers, beyond);
+    Sheet sheet{made.file, {}, {}, false};
+    const fs::path said = made.file.string() + ".said";
+    if (!made.is_fresh()) {
+        const Ran ran = made.make();
         sheet.compiled = true;
         write_text(said, ran.err);
         if (ran.exit_code != 0) {
@@ -140,38 +102,47 @@ Sheet Sheets::compile(const std::vector<Number>& numbers, bool one_state) const 
             return sheet;
         }
     }
-    static const std::regex warning(R"(^(.*):(\d+):\d+: warning: (.*?)( \[-W.*\])?$)");
+    static const std::regex warning(R"(^(.{0,500}?):(\d+):\d+: warning: (.{0,300}?)( \[-W(.*)\])?$)");
     std::smatch found;
     for (const auto& line : lines_of(read_text(said)))
-        if (std::regex_match(line, found, warning) && starts_with(found[1].str(), rooms_.answers.string()))
-            sheet.warnings.push_back(fs::path(found[1].str()).filename().string() + ":" + found[2].str() +
-                                     ": " + found[3].str());
+        if (line.size() < 1000 && std::regex_match(line, found, warning) &&
+            starts_with(found[1].str(), rooms_.answers.string()))
+            sheet.warnings.push_back(
+                {fs::path(found[1].str()).filename().string() + ":" + found[2].str(), found[3], found[5]});
+    sheet.sources = made.sources();
     return sheet;
 }
 
 SheetAnswer Sheets::ask(const Sheet& sheet, Number number) const {
     SheetAnswer answer;
+    std::random_device device;
+    std::string secret(8, '\0');
+    for (char& byte : secret) byte = static_cast<char>(device());
     answer.ran = run({sheet.program.string(), number.text(), std::to_string(pipe_number)},
-                     {.wall_seconds = 5, .cpu_seconds = 2, .memory = std::size_t{256} << 20});
+                     {.wall_seconds = 5,
+                      .cpu_seconds = 2,
+                      .memory = std::size_t{256} << 20,
+                      .reply = secret,
+                      .caged = true});
     const std::string& bytes = answer.ran.pipe;
-    for (std::size_t at = 0; at + 5 <= bytes.size();) {
+    constexpr std::size_t head = 1 + 8 + 4;
+    for (std::size_t at = 1; at + head <= bytes.size();) {  // after the one that says it is ready
         std::uint32_t length;
-        std::memcpy(&length, bytes.data() + at + 1, sizeof length);
+        std::memcpy(&length, bytes.data() + at + 9, sizeof length);
         const char letter = bytes[at];
-        at += 5;
-        if (at + length > bytes.size()) break;
-        const std::string data = bytes.substr(at, length);
-        at += length;
-        if (letter == 'v') {
+        if (bytes.compare(at + 1, 8, secret) != 0 || at + head + length > bytes.size()) break;
+        const std::string data = bytes.substr(at + head, length);
+        at += head + length;
+        if (letter == 'v' || letter == 'w') {
             std::vector<double> values(length / sizeof(double));
             if (!values.empty()) std::memcpy(values.data(), data.data(), values.size() * sizeof(double));
-            answer.outputs.push_back(std::move(values));
+            (letter == 'v' ? answer.outputs : answer.once_more).push_back(std::move(values));
         } else if (letter == 'u') {
             answer.unanswered = number_of(data);
         } else if (letter == 'x') {
             answer.threw = data;
         } else if (letter == 'e') {
-            answer.ended = true;
+            answer.ended = answer.ran.exit_code == 0;
         }
     }
     return answer;

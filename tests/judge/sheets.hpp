@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 #include <vector>
-#include "process.hpp"
+#include "product.hpp"
 #include "rooms.hpp"
 
 namespace nutshell::judge {
@@ -17,24 +17,32 @@ struct CompileProblem {
     std::string message;           ///< what to know, one or two sentences
     std::string line;              ///< the learner's line itself
     std::string compiler;          ///< the compiler's own first words on it
-    bool point_mass_only = false;  ///< the step names members that other states do not have
+    bool beyond = false;           ///< only a question beyond what the function must do does not compile
+};
+
+/// What the compiler notes about a line of the learner's.
+struct Warning {
+    std::string where;   ///< "newton.hpp:58"
+    std::string words;   ///< "'x' is used uninitialized"
+    std::string option;  ///< "uninitialized", of -Wuninitialized
 };
 
 struct Sheet {
     std::filesystem::path program;
     std::optional<CompileProblem> problem;
-    std::vector<std::string>
-        warnings;           ///< on the learner's own lines: "newton.hpp:58: 'x' is used uninitialized"
-    bool compiled = false;  ///< false: it was up to date
+    std::vector<Warning> warnings;                    ///< on the learner's own lines
+    bool compiled = false;                            ///< false: it was up to date
+    std::vector<std::filesystem::path> sources = {};  ///< every file that was read
 };
 
 /// What came out of a sheet's pipe.
 struct SheetAnswer {
     Ran ran;
     std::vector<std::vector<double>> outputs;
-    std::optional<Number> unanswered;  ///< the exercise whose body is still the skeleton's
-    std::optional<std::string> threw;  ///< what() of an exception
-    bool ended = false;                ///< it came to its end in good order
+    std::vector<std::vector<double>> once_more;  ///< the answers at h, asked for again at the end
+    std::optional<Number> unanswered;            ///< the exercise whose body is still the skeleton's
+    std::optional<std::string> threw;            ///< what() of an exception
+    bool ended = false;                          ///< it came to its end in good order
 };
 
 /// The compiler, its flags and folders for one learner's chapter.
@@ -45,8 +53,8 @@ class Sheets {
         : rooms_(rooms), chapter_(chapter), overlay_(overlay) {}
 
     /// One program for these exercises; compiled only if something it was made from has changed.
-    /// @param one_state  leaves out the questions about states of other types
-    Sheet compile(const std::vector<Number>& numbers, bool one_state = false) const;
+    /// @param beyond  false leaves out the questions that go beyond what a function must do
+    Sheet compile(const std::vector<Number>& numbers, bool beyond = true) const;
     SheetAnswer ask(const Sheet& sheet, Number number) const;
     /// Turns what the compiler says into words. Public for the chapter's program on the learner's engine.
     CompileProblem explain(const std::string& said, const std::vector<Number>& numbers) const;
@@ -58,6 +66,11 @@ class Sheets {
     std::string named(const std::string& file) const;
 
   private:
+    Product product(const std::vector<Number>& numbers, bool beyond) const;
+    CompileProblem cannot_be_called(const std::vector<std::string>& lines, const std::string& compiler,
+                                    std::size_t at, const std::vector<Number>& numbers) const;
+    std::string lost_include() const;
+
     Rooms rooms_;
     Chapter chapter_;
     std::filesystem::path overlay_;

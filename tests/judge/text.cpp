@@ -3,9 +3,10 @@
 #include <cctype>
 #include <fstream>
 #include <iterator>
-#include <nutshell/lab/output.hpp>
+#include <nutshell/write_file.hpp>
 #include <sstream>
 #include <stdexcept>
+#include "machine.hpp"
 
 namespace nutshell::judge {
 
@@ -16,8 +17,14 @@ std::string read_text(const std::filesystem::path& path) {
     return {std::istreambuf_iterator<char>(file), {}};
 }
 
-void write_text(const std::filesystem::path& path, std::string_view text) {
+void write_text(const std::filesystem::path& path, std::string_view text) try {
     write_file(path, text);
+} catch (const std::exception& problem) {
+    throw MachineFault(problem.what());
+}
+
+void write_if_changed(const std::filesystem::path& path, std::string_view text) {
+    if (!std::filesystem::exists(path) || read_text(path) != text) write_text(path, text);
 }
 
 std::vector<std::string> lines_of(std::string_view text) {

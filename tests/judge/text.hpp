@@ -8,8 +8,9 @@
 namespace nutshell::judge {
 
 std::string read_text(const std::filesystem::path& path);  ///< throws std::runtime_error if it cannot be read
-/// Whole or not at all: written beside it, then renamed. Throws std::runtime_error with path and reason.
+/// Whole or not at all: written beside it, then renamed. Throws MachineFault with path and reason.
 void write_text(const std::filesystem::path& path, std::string_view text);
+void write_if_changed(const std::filesystem::path& path, std::string_view text);
 
 std::vector<std::string> lines_of(std::string_view text);  ///< without their ends; CR LF counts as one end
 std::string joined(const std::vector<std::string>& parts, std::string_view between);

@@ -20,104 +20,75 @@ struct AccelerationAt {
                          here / (dt * dt), after / (dt * dt));
         }
     }
+
 #ifndef NUTSHELL_SHEET
-    static Exercise about();
+    static About<AccelerationAt> about() {
+        return {
+            .title = "Acceleration from three positions",
+            .hints = {"Acceleration is to velocity what velocity is to position. You have just "
+                      "written velocity from positions.",
+                      "Three positions give two velocities: one before the middle position, one "
+                      "after it. They are dt apart.",
+                      "Use velocity_between twice, take the later velocity less the earlier one, "
+                      "and divide by the time between them."},
+            .mistakes =
+                {{"the change of velocity, not the acceleration", "classic",
+                  "Forces measured from a replay change with the frame rate.",
+                  "You stop at the difference of the two velocities. They are dt apart in time, "
+                  "and acceleration is the change per second.",
+                  [](const Vector3& before, const Vector3& here, const Vector3& after,
+                     double dt) -> Vector3 {
+                      return velocity_between(here, after, dt) -
+                             velocity_between(before, here, dt);
+                  }},
+                 {"divided by two steps", "classic: the central difference",
+                  "Measured gravity is 4.9 m/s^2: half of what it is.",
+                  "You divide by 2 dt. The two velocities belong to the middles of neighbouring "
+                  "intervals, and these are only dt apart.",
+                  [](const Vector3& before, const Vector3& here, const Vector3& after,
+                     double dt) -> Vector3 {
+                      return (velocity_between(here, after, dt) -
+                              velocity_between(before, here, dt)) /
+                             (2 * dt);
+                  }},
+                 {"the middle position counted once", "classic",
+                  "A body at rest seems to accelerate away from the origin.",
+                  "The middle position ends one interval and begins the next, so it must count "
+                  "twice: with three equal positions nothing may be left.",
+                  [](const Vector3& before, const Vector3& here, const Vector3& after,
+                     double dt) -> Vector3 { return (after - here + before) / (dt * dt); }},
+                 {"the earlier velocity less the later one", "classic",
+                  "A falling ball seems to be pulled upwards.",
+                  "You take the earlier velocity less the later one. A change is new less old.",
+                  [](const Vector3& before, const Vector3& here, const Vector3& after,
+                     double dt) -> Vector3 {
+                      return (velocity_between(before, here, dt) -
+                              velocity_between(here, after, dt)) /
+                             dt;
+                  }},
+                 {"always zero", "E02", "Nothing ever falls.",
+                  "You return zero whatever the positions are. The source prints the "
+                  "acceleration as zero by definition, but that is a consequence for a body "
+                  "without force, not what acceleration is.",
+                  [](const Vector3&, const Vector3&, const Vector3&, double) -> Vector3 {
+                      return Vector3::Zero();
+                  }},
+                 {"a velocity divided by dt", "classic",
+                  "A body in steady motion seems to feel a force.",
+                  "You divide a velocity by dt. Only a change of velocity is an acceleration: "
+                  "steady motion has none.",
+                  [](const Vector3& before, const Vector3&, const Vector3& after, double dt)
+                      -> Vector3 { return velocity_between(before, after, 2 * dt) / dt; }}},
+            .alternatives = {{"the second difference",
+                              [](const Vector3& before, const Vector3& here, const Vector3& after,
+                                 double dt) -> Vector3 {
+                                  return (before - 2 * here + after) / (dt * dt);
+                              }}},
+        };
+    }
 #endif
 };
 
 inline const bool acceleration_at_entered = enter<AccelerationAt>();
 
 }  // namespace nutshell::exercises
-
-#ifndef NUTSHELL_SHEET
-
-namespace nutshell::mistakes {
-
-inline Vector3 velocity_change(const Vector3& before, const Vector3& here, const Vector3& after,
-                               double dt) {
-    return velocity_between(here, after, dt) - velocity_between(before, here, dt);
-}
-inline Vector3 acceleration_over_two_steps(const Vector3& before, const Vector3& here,
-                                           const Vector3& after, double dt) {
-    return (velocity_between(here, after, dt) - velocity_between(before, here, dt)) / (2 * dt);
-}
-inline Vector3 here_counted_once(const Vector3& before, const Vector3& here, const Vector3& after,
-                                 double dt) {
-    return (after - here + before) / (dt * dt);
-}
-inline Vector3 acceleration_backwards(const Vector3& before, const Vector3& here,
-                                      const Vector3& after, double dt) {
-    return (velocity_between(before, here, dt) - velocity_between(here, after, dt)) / dt;
-}
-inline Vector3 always_zero(const Vector3&, const Vector3&, const Vector3&, double) {
-    return Vector3::Zero();
-}
-inline Vector3 mean_velocity_over_dt(const Vector3& before, const Vector3&, const Vector3& after,
-                                     double dt) {
-    return velocity_between(before, after, 2 * dt) / dt;
-}
-
-}  // namespace nutshell::mistakes
-
-namespace nutshell::alternatives {
-
-inline Vector3 second_difference(const Vector3& before, const Vector3& here, const Vector3& after,
-                                 double dt) {
-    return (before - 2 * here + after) / (dt * dt);
-}
-
-}  // namespace nutshell::alternatives
-
-namespace nutshell::exercises {
-
-inline Exercise AccelerationAt::about() {
-    return {
-        .title = "Acceleration from three positions",
-        .hints = {"Acceleration is to velocity what velocity is to position. You have just "
-                  "written velocity "
-                  "from positions.",
-                  "Three positions give two velocities: one before the middle position, one "
-                  "after it. They "
-                  "are dt apart.",
-                  "Use velocity_between twice, take the later velocity less the earlier one, and "
-                  "divide by "
-                  "the time between them."},
-        .mistakes =
-            {{"the change of velocity, not the acceleration", "classic",
-              "Forces measured from a replay change with the frame rate.",
-              "You stop at the difference of the two velocities. They are dt apart in time, and "
-              "acceleration is the change per second.",
-              attempt<AccelerationAt>(NUTSHELL_CALL(mistakes::velocity_change))},
-             {"divided by two steps", "classic: the central difference",
-              "Measured gravity is 4.9 m/s^2: half of what it is.",
-              "You divide by 2 dt. The two velocities belong to the middles of neighbouring "
-              "intervals, and these are only dt apart.",
-              attempt<AccelerationAt>(NUTSHELL_CALL(mistakes::acceleration_over_two_steps))},
-             {"the middle position counted once", "classic",
-              "A body at rest seems to accelerate away from the origin.",
-              "The middle position ends one interval and begins the next, so it must count "
-              "twice: "
-              "with three equal positions nothing may be left.",
-              attempt<AccelerationAt>(NUTSHELL_CALL(mistakes::here_counted_once))},
-             {"the earlier velocity less the later one", "classic",
-              "A falling ball seems to be pulled upwards.",
-              "You take the earlier velocity less the later one. A change is new less old.",
-              attempt<AccelerationAt>(NUTSHELL_CALL(mistakes::acceleration_backwards))},
-             {"always zero", "E02", "Nothing ever falls.",
-              "You return zero whatever the positions are. The source prints the acceleration as "
-              "zero by definition, but that is a consequence "
-              "for a body without force, not what acceleration is.",
-              attempt<AccelerationAt>(NUTSHELL_CALL(mistakes::always_zero))},
-             {"a velocity divided by dt", "classic",
-              "A body in steady motion seems to feel a force.",
-              "You divide a velocity by dt. Only a change of velocity is an acceleration: steady "
-              "motion has none.",
-              attempt<AccelerationAt>(NUTSHELL_CALL(mistakes::mean_velocity_over_dt))}},
-        .alternatives = {{"the second difference", attempt<AccelerationAt>(NUTSHELL_CALL(
-                                                       alternatives::second_difference))}},
-    };
-}
-
-}  // namespace nutshell::exercises
-
-#endif

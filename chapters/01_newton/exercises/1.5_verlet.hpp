@@ -12,171 +12,123 @@ struct Verlet {
     static void ask(Paper& paper, const Answer& answer) {
         ask_step(paper, answer, 0);  // Verlet is for forces of place and time
     }
+
 #ifndef NUTSHELL_SHEET
-    static Exercise about();
+    static About<Verlet> about() {
+        return {
+            .title = "A step of velocity Verlet",
+            .hints = {"The mean velocity over a step is close to the velocity at its middle. How "
+                      "much of the kick has happened by then?",
+                      "Half a kick before the drift, half a kick after it. But the body is "
+                      "somewhere else by then, and it is later.",
+                      "Kick for dt/2 with the force at t; drift for dt; kick for dt/2 with the "
+                      "force asked for anew, at t + dt."},
+            .order = 2,
+            .picture = "planet.png",
+            .beyond = beyond_one_state,
+            .mistakes =
+                {{"a stale force", "classic: the force kept from the start",
+                  "A thrown ball is exact, but the planet spirals out, half as fast as with "
+                  "Euler.",
+                  "Both half kicks use the force of the start. After the drift the body is at a "
+                  "new place: ask for the force there before the second half.",
+                  [](auto state, const auto& forces, double t, double dt) {
+                      const auto push = forces(state, t);
+                      kick(state, push, dt / 2);
+                      drift(state, dt);
+                      kick(state, push, dt / 2);
+                      return state;
+                  }},
+                 {"whole kicks instead of halves", "classic", "Everything weighs twice as much.",
+                  "You kick for dt twice, so the force acts for two steps' time in one. Each of "
+                  "the two kicks lasts dt/2.",
+                  [](auto state, const auto& forces, double t, double dt) {
+                      kick(state, forces(state, t), dt);
+                      drift(state, dt);
+                      kick(state, forces(state, t + dt), dt);
+                      return state;
+                  }},
+                 {"a whole second kick", "classic", "Everything weighs half as much again.",
+                  "The second kick lasts dt, so in all the force acts for one and a half steps. "
+                  "It must last dt/2, like the first.",
+                  [](auto state, const auto& forces, double t, double dt) {
+                      kick(state, forces(state, t), dt / 2);
+                      drift(state, dt);
+                      kick(state, forces(state, t + dt), dt);
+                      return state;
+                  }},
+                 {"a stale time", "classic",
+                  "Forces that change with time act late; others are right.",
+                  "The second half kick asks for the force at t. It happens at the end of the "
+                  "step: t + dt.",
+                  [](auto state, const auto& forces, double t, double dt) {
+                      kick(state, forces(state, t), dt / 2);
+                      drift(state, dt);
+                      kick(state, forces(state, t), dt / 2);
+                      return state;
+                  }},
+                 {"the force taken for an acceleration",
+                  "classic: gravity not divided by mass in Verlet",
+                  "Heavy things fall faster than light ones.",
+                  "The change of velocity comes out as force times dt, without the mass. kick "
+                  "divides by the mass itself: hand it the force as it is.",
+                  [](auto state, const auto& forces, double t, double dt) {
+                      kick(state, state.mass * forces(state, t), dt / 2);
+                      drift(state, dt);
+                      kick(state, state.mass * forces(state, t + dt), dt / 2);
+                      return state;
+                  }},
+                 {"half a drift", "classic", "Everything moves at half its speed.",
+                  "Only the kicks are halved. The drift stands once, in the middle, so it must "
+                  "last the whole of dt.",
+                  [](auto state, const auto& forces, double t, double dt) {
+                      kick(state, forces(state, t), dt / 2);
+                      drift(state, dt / 2);
+                      kick(state, forces(state, t + dt), dt / 2);
+                      return state;
+                  }},
+                 {"no second half kick", "classic", "Everything falls at half its weight.",
+                  "The step ends after the drift: the second half of the kick, with the force of "
+                  "the new place, is missing.",
+                  [](auto state, const auto& forces, double t, double dt) {
+                      kick(state, forces(state, t), dt / 2);
+                      drift(state, dt);
+                      return state;
+                  }},
+                 {"the two verbs exchanged", "classic: position Verlet",
+                  "None to speak of: it is as good as the one asked for.",
+                  "You drift, kick, drift. That is position Verlet: also second order, also "
+                  "symplectic, but other numbers than velocity Verlet: kick, drift, kick.",
+                  [](auto state, const auto& forces, double t, double dt) {
+                      drift(state, dt / 2);
+                      kick(state, forces(state, t + dt / 2), dt);
+                      drift(state, dt / 2);
+                      return state;
+                  }},
+                 {"one kick, not two halves", "classic: this is semi-implicit Euler",
+                  "A thrown ball lands a little too early: its error is g T dt/2.",
+                  "You kick once, before the drift: that is semi-implicit Euler, of first order. "
+                  "Half of the kick belongs after the drift.",
+                  [](auto state, const auto& forces, double t, double dt) {
+                      kick(state, forces(state, t), dt);
+                      drift(state, dt);
+                      return state;
+                  }}},
+            .alternatives = {{"the kicks cut up otherwise",
+                              [](auto state, const auto& forces, double t, double dt) {
+                                  const auto first = forces(state, t);
+                                  kick(state, 0.5 * first, dt);
+                                  drift(state, dt);
+                                  const auto second = forces(state, t + dt);
+                                  kick(state, second, 0.25 * dt);
+                                  kick(state, second, 0.25 * dt);
+                                  return state;
+                              }}},
+        };
+    }
 #endif
 };
 
 inline const bool verlet_entered = enter<Verlet>();
 
 }  // namespace nutshell::exercises
-
-#ifndef NUTSHELL_SHEET
-
-namespace nutshell::mistakes {
-
-template <class State, class Forces>
-State verlet_stale_force(State state, const Forces& forces, double t, double dt) {
-    const auto push = forces(state, t);
-    kick(state, push, dt / 2);
-    drift(state, dt);
-    kick(state, push, dt / 2);
-    return state;
-}
-template <class State, class Forces>
-State verlet_full_kicks(State state, const Forces& forces, double t, double dt) {
-    kick(state, forces(state, t), dt);
-    drift(state, dt);
-    kick(state, forces(state, t + dt), dt);
-    return state;
-}
-template <class State, class Forces>
-State verlet_one_full_kick(State state, const Forces& forces, double t, double dt) {
-    kick(state, forces(state, t), dt / 2);
-    drift(state, dt);
-    kick(state, forces(state, t + dt), dt);
-    return state;
-}
-template <class State, class Forces>
-State verlet_stale_time(State state, const Forces& forces, double t, double dt) {
-    kick(state, forces(state, t), dt / 2);
-    drift(state, dt);
-    kick(state, forces(state, t), dt / 2);
-    return state;
-}
-template <class State, class Forces>
-State verlet_without_mass(State state, const Forces& forces, double t, double dt) {
-    kick(state, state.mass * forces(state, t), dt / 2);
-    drift(state, dt);
-    kick(state, state.mass * forces(state, t + dt), dt / 2);
-    return state;
-}
-template <class State, class Forces>
-State verlet_half_drift(State state, const Forces& forces, double t, double dt) {
-    kick(state, forces(state, t), dt / 2);
-    drift(state, dt / 2);
-    kick(state, forces(state, t + dt), dt / 2);
-    return state;
-}
-template <class State, class Forces>
-State verlet_without_second_kick(State state, const Forces& forces, double t, double dt) {
-    kick(state, forces(state, t), dt / 2);
-    drift(state, dt);
-    return state;
-}
-template <class State, class Forces>
-State verlet_drift_kick_drift(State state, const Forces& forces, double t, double dt) {
-    drift(state, dt / 2);
-    kick(state, forces(state, t + dt / 2), dt);
-    drift(state, dt / 2);
-    return state;
-}
-template <class State, class Forces>
-State verlet_as_semi_implicit(State state, const Forces& forces, double t, double dt) {
-    kick(state, forces(state, t), dt);
-    drift(state, dt);
-    return state;
-}
-
-}  // namespace nutshell::mistakes
-
-namespace nutshell::alternatives {
-
-template <class State, class Forces>
-State verlet_kick_in_quarters(State state, const Forces& forces, double t, double dt) {
-    const auto first = forces(state, t);
-    kick(state, 0.5 * first, dt);
-    drift(state, dt);
-    const auto second = forces(state, t + dt);
-    kick(state, second, 0.25 * dt);
-    kick(state, second, 0.25 * dt);
-    return state;
-}
-
-}  // namespace nutshell::alternatives
-
-namespace nutshell::exercises {
-
-inline Exercise Verlet::about() {
-    return {
-        .title = "A step of velocity Verlet",
-        .hints = {"The mean velocity over a step is close to the velocity at its middle. How "
-                  "much of the "
-                  "kick has happened by then?",
-                  "Half a kick before the drift, half a kick after it. But the body is somewhere "
-                  "else by "
-                  "then, and it is later.",
-                  "Kick for dt/2 with the force at t; drift for dt; kick for dt/2 with the force "
-                  "asked for "
-                  "anew, at t + dt."},
-        .order = 2,
-        .picture = "planet.png",
-        .mistakes =
-            {{"a stale force", "classic: the force kept from the start",
-              "A thrown ball is exact, but the planet spirals out, half as fast as with Euler.",
-              "Both half kicks use the force of the start. After the drift the body is at a new "
-              "place: ask "
-              "for the force there before the second half.",
-              attempt<Verlet>(NUTSHELL_CALL(mistakes::verlet_stale_force))},
-             {"whole kicks instead of halves", "classic", "Everything weighs twice as much.",
-              "You kick for dt twice, so the force acts for two steps' time in one. Each of the "
-              "two kicks "
-              "lasts dt/2.",
-              attempt<Verlet>(NUTSHELL_CALL(mistakes::verlet_full_kicks))},
-             {"a whole second kick", "classic", "Everything weighs half as much again.",
-              "The second kick lasts dt, so in all the force acts for one and a half steps. It "
-              "must last "
-              "dt/2, like the first.",
-              attempt<Verlet>(NUTSHELL_CALL(mistakes::verlet_one_full_kick))},
-             {"a stale time", "classic",
-              "Forces that change with time act late; others are right.",
-              "The second half kick asks for the force at t. It happens at the end of the step: "
-              "t + dt.",
-              attempt<Verlet>(NUTSHELL_CALL(mistakes::verlet_stale_time))},
-             {"the force taken for an acceleration",
-              "classic: gravity not divided by mass in Verlet",
-              "Heavy things fall faster than light ones.",
-              "The change of velocity comes out as force times dt, without the mass. kick "
-              "divides by the "
-              "mass itself: hand it the force as it is.",
-              attempt<Verlet>(NUTSHELL_CALL(mistakes::verlet_without_mass))},
-             {"half a drift", "classic", "Everything moves at half its speed.",
-              "Only the kicks are halved. The drift stands once, in the middle, so it must last "
-              "the whole of "
-              "dt.",
-              attempt<Verlet>(NUTSHELL_CALL(mistakes::verlet_half_drift))},
-             {"no second half kick", "classic", "Everything falls at half its weight.",
-              "The step ends after the drift: the second half of the kick, with the force of the "
-              "new place, "
-              "is missing.",
-              attempt<Verlet>(NUTSHELL_CALL(mistakes::verlet_without_second_kick))},
-             {"the two verbs exchanged", "classic: position Verlet",
-              "None to speak of: it is as good as the one asked for.",
-              "You drift, kick, drift. That is position Verlet: also second order, also "
-              "symplectic, but "
-              "other numbers than velocity Verlet: kick, drift, kick.",
-              attempt<Verlet>(NUTSHELL_CALL(mistakes::verlet_drift_kick_drift))},
-             {"one kick, not two halves", "classic: this is semi-implicit Euler",
-              "A thrown ball lands a little too early: its error is g T dt/2.",
-              "You kick once, before the drift: that is semi-implicit Euler, of first order. "
-              "Half of the "
-              "kick belongs after the drift.",
-              attempt<Verlet>(NUTSHELL_CALL(mistakes::verlet_as_semi_implicit))}},
-        .alternatives = {{"the kicks cut up otherwise",
-                          attempt<Verlet>(NUTSHELL_CALL(alternatives::verlet_kick_in_quarters))}},
-    };
-}
-
-}  // namespace nutshell::exercises
-
-#endif

@@ -25,130 +25,91 @@ struct ThrowError {
             paper.output("Verlet's error [m]", verlet, term);
         }
     }
+
 #ifndef NUTSHELL_SHEET
-    static Exercise about();
+    static About<ThrowError> about() {
+        return {
+            .title = "How wrong a throw is, before you throw",
+            .hints = {"Compare one step with the truth. Over one step the exact way is v dt + a "
+                      "dt^2/2; which velocity does each method drift with?",
+                      "Euler drifts with the velocity of the start and lacks a dt^2/2 in each "
+                      "step; semi-implicit Euler has as much too much. How many steps are there "
+                      "in the duration?",
+                      "Number of steps, T/dt, times the error of one step, with its sign: one "
+                      "method lags, one leads, one has the mean velocity exactly."},
+            .picture = "throw.png",
+            .mistakes =
+                {{"no error at all", "E04", "The ball flies too high, and nobody can say why.",
+                  "You return zero, as the source's remark suggests: Euler is good if the force "
+                  "hardly changes in a step. Here it does not change at all, and Euler is still "
+                  "wrong: the velocity changes during the step, and the drift does not see it.",
+                  [](Method, const Vector3&, double, double) -> Vector3 {
+                      return Vector3::Zero();
+                  }},
+                 {"the error of one step only", "classic: local for global error",
+                  "Halving dt halves the error, where you promised a quarter.",
+                  "a dt^2/2 is what one step adds. There are T/dt of them, and their errors add "
+                  "up, so one power of dt is gone at the end.",
+                  [](Method method, const Vector3& acceleration, double, double dt) -> Vector3 {
+                      const Vector3 error = acceleration * dt * dt / 2;
+                      return method == Method::euler                 ? Vector3(-error)
+                             : method == Method::semi_implicit_euler ? error
+                                                                     : Vector3::Zero();
+                  }},
+                 {"the signs exchanged", "classic",
+                  "You aim lower to correct, and miss by twice as much.",
+                  "The size is right, the sign is not. The error is computed less exact; Euler "
+                  "lags behind the acceleration, so with gravity pointing down its ball is too "
+                  "high.",
+                  [](Method method, const Vector3& acceleration, double duration, double dt)
+                      -> Vector3 { return -throw_error(method, acceleration, duration, dt); }},
+                 {"a factor of two", "classic", "The promised error is twice the one seen.",
+                  "You have a dt^2 for a step. The velocity grows evenly from start to end of a "
+                  "step, so on the average it is off by half of a dt.",
+                  [](Method method, const Vector3& acceleration, double duration, double dt)
+                      -> Vector3 { return 2 * throw_error(method, acceleration, duration, dt); }},
+                 {"the same error for both", "classic",
+                  "The correction for one method doubles the error of the other.",
+                  "Euler drifts with the velocity of the step's start, semi-implicit Euler with "
+                  "that of its end: one comes too short, the other too far.",
+                  [](Method method, const Vector3& acceleration, double duration,
+                     double dt) -> Vector3 {
+                      return method == Method::verlet
+                                 ? Vector3::Zero()
+                                 : Vector3(-acceleration * duration * dt / 2);
+                  }},
+                 {"the duration left out", "classic",
+                  "A long throw misses by more than you promised.",
+                  "The error does not grow with the duration in your formula. Each step adds its "
+                  "part, so twice the steps have twice the error.",
+                  [](Method method, const Vector3& acceleration, double duration,
+                     double dt) -> Vector3 {
+                      return throw_error(method, acceleration, duration, dt) / duration;
+                  }},
+                 {"an error for Verlet", "classic: order taken for error",
+                  "You make the step smaller than it need be.",
+                  "Verlet is of second order, but that is a bound for any force. With constant "
+                  "acceleration it drifts with the exact mean velocity and has no error.",
+                  [](Method method, const Vector3& acceleration, double duration,
+                     double dt) -> Vector3 {
+                      if (method == Method::verlet) return acceleration * duration * dt * dt / 2;
+                      return throw_error(method, acceleration, duration, dt);
+                  }}},
+            .alternatives = {{"steps times the error of one",
+                              [](Method method, const Vector3& acceleration, double duration,
+                                 double dt) -> Vector3 {
+                                  const double part = method == Method::euler ? -0.5
+                                                      : method == Method::semi_implicit_euler
+                                                          ? 0.5
+                                                          : 0.0;
+                                  const double steps = duration / dt;
+                                  return part * steps * (dt * dt * acceleration);
+                              }}},
+        };
+    }
 #endif
 };
 
 inline const bool throw_error_entered = enter<ThrowError>();
 
 }  // namespace nutshell::exercises
-
-#ifndef NUTSHELL_SHEET
-
-namespace nutshell::mistakes {
-
-inline Vector3 no_error_at_all(Method, const Vector3&, double, double) {
-    return Vector3::Zero();
-}
-inline Vector3 error_of_one_step(Method method, const Vector3& acceleration, double, double dt) {
-    const Vector3 error = acceleration * dt * dt / 2;
-    return method == Method::euler                 ? Vector3(-error)
-           : method == Method::semi_implicit_euler ? error
-                                                   : Vector3::Zero();
-}
-inline Vector3 error_signs_exchanged(Method method, const Vector3& acceleration, double duration,
-                                     double dt) {
-    return -throw_error(method, acceleration, duration, dt);
-}
-inline Vector3 error_of_whole_steps(Method method, const Vector3& acceleration, double duration,
-                                    double dt) {
-    return 2 * throw_error(method, acceleration, duration, dt);
-}
-inline Vector3 error_same_for_both(Method method, const Vector3& acceleration, double duration,
-                                   double dt) {
-    return method == Method::verlet ? Vector3::Zero()
-                                    : Vector3(-acceleration * duration * dt / 2);
-}
-inline Vector3 error_without_duration(Method method, const Vector3& acceleration, double duration,
-                                      double dt) {
-    return throw_error(method, acceleration, duration, dt) / duration;
-}
-inline Vector3 error_of_verlet_too(Method method, const Vector3& acceleration, double duration,
-                                   double dt) {
-    if (method == Method::verlet) return acceleration * duration * dt * dt / 2;
-    return throw_error(method, acceleration, duration, dt);
-}
-
-}  // namespace nutshell::mistakes
-
-namespace nutshell::alternatives {
-
-inline Vector3 error_by_counting_steps(Method method, const Vector3& acceleration,
-                                       double duration, double dt) {
-    const double part = method == Method::euler                 ? -0.5
-                        : method == Method::semi_implicit_euler ? 0.5
-                                                                : 0.0;
-    const double steps = duration / dt;
-    return part * steps * (dt * dt * acceleration);
-}
-
-}  // namespace nutshell::alternatives
-
-namespace nutshell::exercises {
-
-inline Exercise ThrowError::about() {
-    return {
-        .title = "How wrong a throw is, before you throw",
-        .hints = {"Compare one step with the truth. Over one step the exact way is v dt + a "
-                  "dt^2/2; which "
-                  "velocity does each method drift with?",
-                  "Euler drifts with the velocity of the start and lacks a dt^2/2 in each step; "
-                  "semi-implicit Euler has as much too much. "
-                  "How many steps are there in the duration?",
-                  "Number of steps, T/dt, times the error of one step, with its sign: one method "
-                  "lags, one "
-                  "leads, one has the mean velocity exactly."},
-        .picture = "throw.png",
-        .mistakes =
-            {{"no error at all", "E04", "The ball flies too high, and nobody can say why.",
-              "You return zero, as the source's remark suggests: Euler is good if the force "
-              "hardly "
-              "changes in a step. Here it does not change at all, "
-              "and Euler is still wrong: the velocity changes during the step, and the drift "
-              "does "
-              "not see it.",
-              attempt<ThrowError>(NUTSHELL_CALL(mistakes::no_error_at_all))},
-             {"the error of one step only", "classic: local for global error",
-              "Halving dt halves the error, where you promised a quarter.",
-              "a dt^2/2 is what one step adds. There are T/dt of them, and their errors add up, "
-              "so "
-              "one power of dt is gone at the end.",
-              attempt<ThrowError>(NUTSHELL_CALL(mistakes::error_of_one_step))},
-             {"the signs exchanged", "classic",
-              "You aim lower to correct, and miss by twice as much.",
-              "The size is right, the sign is not. The error is computed less exact; Euler lags "
-              "behind the acceleration, "
-              "so with gravity pointing down its ball is too high.",
-              attempt<ThrowError>(NUTSHELL_CALL(mistakes::error_signs_exchanged))},
-             {"a factor of two", "classic", "The promised error is twice the one seen.",
-              "You have a dt^2 for a step. The velocity grows evenly from start to end of a "
-              "step, so "
-              "on the average it is off by half of a dt.",
-              attempt<ThrowError>(NUTSHELL_CALL(mistakes::error_of_whole_steps))},
-             {"the same error for both", "classic",
-              "The correction for one method doubles the error of the other.",
-              "Euler drifts with the velocity of the step's start, semi-implicit Euler with that "
-              "of "
-              "its end: one comes too short, the other too far.",
-              attempt<ThrowError>(NUTSHELL_CALL(mistakes::error_same_for_both))},
-             {"the duration left out", "classic",
-              "A long throw misses by more than you promised.",
-              "The error does not grow with the duration in your formula. Each step adds its "
-              "part, "
-              "so twice the steps have twice the error.",
-              attempt<ThrowError>(NUTSHELL_CALL(mistakes::error_without_duration))},
-             {"an error for Verlet", "classic: order taken for error",
-              "You make the step smaller than it need be.",
-              "Verlet is of second order, but that is a bound for any force. With constant "
-              "acceleration it drifts with the exact mean velocity and has no error.",
-              attempt<ThrowError>(NUTSHELL_CALL(mistakes::error_of_verlet_too))}},
-        .alternatives = {{"steps times the error of one",
-                          attempt<ThrowError>(
-                              NUTSHELL_CALL(alternatives::error_by_counting_steps))}},
-    };
-}
-
-}  // namespace nutshell::exercises
-
-#endif

@@ -5,6 +5,12 @@
 
 namespace nutshell::exercises {
 
+#ifndef NUTSHELL_SHEET
+inline double whole_steps(double duration, double largest) {
+    return duration / std::max(1.0, std::ceil(duration / largest));
+}
+#endif
+
 struct EulerStepWithin {
     static constexpr const char *id = "1.7", *function = "euler_step_within";
     static constexpr auto subject = NUTSHELL_CALL(euler_step_within);
@@ -32,132 +38,93 @@ struct EulerStepWithin {
 
   public:
 #ifndef NUTSHELL_SHEET
-    static Exercise about();
+    static About<EulerStepWithin> about() {
+        return {
+            .title = "The step that meets a tolerance",
+            .hints = {"Exercise 1.6 gives the error from the step. Here the error is given and "
+                      "the step is asked for.",
+                      "Set the length of Euler's error equal to the tolerance and solve for dt. "
+                      "That is the largest step, but it need not divide the duration.",
+                      "How many steps of the largest size fill the duration? Round that number "
+                      "up, but never below one; the duration divided by it is the answer."},
+            .mistakes =
+                {{"half the step", "classic: the 2 lost",
+                  "The game makes twice the steps it needs.",
+                  "The error is a T dt/2: solved for dt there is a 2 above the line.",
+                  [](double tolerance, const Vector3& acceleration, double duration) -> double {
+                      return whole_steps(duration, tolerance / (acceleration.norm() * duration));
+                  }},
+                 {"a step that does not divide the duration", "classic",
+                  "The last step jumps beyond the end, or stops short of it.",
+                  "The largest step is right, but a whole number of steps must fill the "
+                  "duration. Round the number of steps up.",
+                  [](double tolerance, const Vector3& acceleration, double duration) -> double {
+                      return 2 * tolerance / (acceleration.norm() * duration);
+                  }},
+                 {"rounded to the nearest number of steps", "classic",
+                  "Now and then the error is a little above the tolerance.",
+                  "You round the number of steps to the nearest. When that is down, the step is "
+                  "too large: round up.",
+                  [](double tolerance, const Vector3& acceleration, double duration) -> double {
+                      return duration / std::max(1.0, std::round(duration * acceleration.norm() *
+                                                                 duration / (2 * tolerance)));
+                  }},
+                 {"rounded the wrong way", "classic",
+                  "The error is always a little above the tolerance.",
+                  "You round the number of steps down, so the step becomes too large. Fewer "
+                  "steps are larger steps: round up.",
+                  [](double tolerance, const Vector3& acceleration, double duration) -> double {
+                      return duration / std::max(1.0, std::floor(duration * acceleration.norm() *
+                                                                 duration / (2 * tolerance)));
+                  }},
+                 {"the error of one step only", "E04: local for global error",
+                  "The ball misses by far more than the tolerance.",
+                  "You ask that a single step stays within the tolerance (a dt^2/2). The errors "
+                  "of all T/dt steps add up to a T dt/2, and that must stay within it.",
+                  [](double tolerance, const Vector3& acceleration, double duration) -> double {
+                      return whole_steps(duration,
+                                         std::sqrt(2 * tolerance / acceleration.norm()));
+                  }},
+                 {"a duration without steps", "classic: division by zero",
+                  "With a weak force, or none, the step is infinite and every number after it is "
+                  "lost.",
+                  "When there is no force, the number of steps comes out as zero and you divide "
+                  "by it. There is always at least one step.",
+                  [](double tolerance, const Vector3& acceleration, double duration) -> double {
+                      return duration / std::ceil(duration / (2 * tolerance /
+                                                              (acceleration.norm() * duration)));
+                  }},
+                 {"one component for the length", "classic",
+                  "A slanted pull misses by more than the tolerance.",
+                  "You use the largest component of the acceleration. The error is a vector "
+                  "along it, so its length is what must stay within the tolerance.",
+                  [](double tolerance, const Vector3& acceleration, double duration) -> double {
+                      return whole_steps(
+                          duration,
+                          2 * tolerance / (acceleration.cwiseAbs().maxCoeff() * duration));
+                  }},
+                 {"the duration left out", "classic",
+                  "A short throw meets the tolerance, a long one does not.",
+                  "The error grows with the duration (a T dt/2), so the largest step must shrink "
+                  "with it.",
+                  [](double tolerance, const Vector3& acceleration, double duration) -> double {
+                      return whole_steps(duration, 2 * tolerance / acceleration.norm());
+                  }}},
+            .alternatives = {{"by trying",
+                              [](double tolerance, const Vector3& acceleration,
+                                 double duration) -> double {
+                                  int steps = 1;
+                                  while (throw_error(Method::euler, acceleration, duration,
+                                                     duration / steps)
+                                             .norm() > tolerance)
+                                      ++steps;
+                                  return duration / steps;
+                              }}},
+        };
+    }
 #endif
 };
 
 inline const bool euler_step_within_entered = enter<EulerStepWithin>();
 
 }  // namespace nutshell::exercises
-
-#ifndef NUTSHELL_SHEET
-
-namespace nutshell::mistakes {
-
-inline double whole_steps(double duration, double largest) {
-    return duration / std::max(1.0, std::ceil(duration / largest));
-}
-inline double step_without_half(double tolerance, const Vector3& acceleration, double duration) {
-    return whole_steps(duration, tolerance / (acceleration.norm() * duration));
-}
-inline double step_not_dividing(double tolerance, const Vector3& acceleration, double duration) {
-    return 2 * tolerance / (acceleration.norm() * duration);
-}
-inline double step_rounded_to_nearest(double tolerance, const Vector3& acceleration,
-                                      double duration) {
-    return duration /
-           std::max(1.0, std::round(duration * acceleration.norm() * duration / (2 * tolerance)));
-}
-inline double step_rounded_up(double tolerance, const Vector3& acceleration, double duration) {
-    return duration /
-           std::max(1.0, std::floor(duration * acceleration.norm() * duration / (2 * tolerance)));
-}
-inline double step_from_local_error(double tolerance, const Vector3& acceleration,
-                                    double duration) {
-    return whole_steps(duration, std::sqrt(2 * tolerance / acceleration.norm()));
-}
-inline double step_may_be_none(double tolerance, const Vector3& acceleration, double duration) {
-    return duration / std::ceil(duration / (2 * tolerance / (acceleration.norm() * duration)));
-}
-inline double step_of_largest_component(double tolerance, const Vector3& acceleration,
-                                        double duration) {
-    return whole_steps(duration, 2 * tolerance / (acceleration.cwiseAbs().maxCoeff() * duration));
-}
-inline double step_without_duration(double tolerance, const Vector3& acceleration,
-                                    double duration) {
-    return whole_steps(duration, 2 * tolerance / acceleration.norm());
-}
-
-}  // namespace nutshell::mistakes
-
-namespace nutshell::alternatives {
-
-/// Counts the steps up until they are enough.
-inline double step_by_trying(double tolerance, const Vector3& acceleration, double duration) {
-    int steps = 1;
-    while (throw_error(Method::euler, acceleration, duration, duration / steps).norm() >
-           tolerance)
-        ++steps;
-    return duration / steps;
-}
-
-}  // namespace nutshell::alternatives
-
-namespace nutshell::exercises {
-
-inline Exercise EulerStepWithin::about() {
-    return {
-        .title = "The step that meets a tolerance",
-        .hints = {"Exercise 1.6 gives the error from the step. Here the error is given and the "
-                  "step is asked for.",
-                  "Set the length of Euler's error equal to the tolerance and solve for dt. That "
-                  "is the largest "
-                  "step, but it need not divide the duration.",
-                  "How many steps of the largest size fill the duration? Round that number up, "
-                  "but never below "
-                  "one; the duration divided by it is the answer."},
-        .mistakes = {{"half the step", "classic: the 2 lost",
-                      "The game makes twice the steps it needs.",
-                      "The error is a T dt/2: solved for dt there is a 2 above the line.",
-                      attempt<EulerStepWithin>(NUTSHELL_CALL(mistakes::step_without_half))},
-                     {"a step that does not divide the duration", "classic",
-                      "The last step jumps beyond the end, or stops short of it.",
-                      "The largest step is right, but a whole number of steps must fill the "
-                      "duration. Round the "
-                      "number of steps up.",
-                      attempt<EulerStepWithin>(NUTSHELL_CALL(mistakes::step_not_dividing))},
-                     {"rounded to the nearest number of steps", "classic",
-                      "Now and then the error is a little above the tolerance.",
-                      "You round the number of steps to the nearest. When that is down, the step "
-                      "is too large: round "
-                      "up.",
-                      attempt<EulerStepWithin>(NUTSHELL_CALL(mistakes::step_rounded_to_nearest))},
-                     {"rounded the wrong way", "classic",
-                      "The error is always a little above the tolerance.",
-                      "You round the number of steps down, so the step becomes too large. Fewer "
-                      "steps are larger "
-                      "steps: round up.",
-                      attempt<EulerStepWithin>(NUTSHELL_CALL(mistakes::step_rounded_up))},
-                     {"the error of one step only", "E04: local for global error",
-                      "The ball misses by far more than the tolerance.",
-                      "You ask that a single step stays within the tolerance (a dt^2/2). The "
-                      "errors of all T/dt "
-                      "steps add up to a T dt/2, and that must stay within it.",
-                      attempt<EulerStepWithin>(NUTSHELL_CALL(mistakes::step_from_local_error))},
-                     {"a duration without steps", "classic: division by zero",
-                      "With a weak force, or none, the step is infinite and every number after "
-                      "it is lost.",
-                      "When there is no force, the number of steps comes out as zero and you "
-                      "divide by it. There is "
-                      "always at least one step.",
-                      attempt<EulerStepWithin>(NUTSHELL_CALL(mistakes::step_may_be_none))},
-                     {"one component for the length", "classic",
-                      "A slanted pull misses by more than the tolerance.",
-                      "You use the largest component of the acceleration. The error is a vector "
-                      "along it, so its "
-                      "length is what must stay within the tolerance.",
-                      attempt<EulerStepWithin>(
-                          NUTSHELL_CALL(mistakes::step_of_largest_component))},
-                     {"the duration left out", "classic",
-                      "A short throw meets the tolerance, a long one does not.",
-                      "The error grows with the duration (a T dt/2), so the largest step must "
-                      "shrink with it.",
-                      attempt<EulerStepWithin>(NUTSHELL_CALL(mistakes::step_without_duration))}},
-        .alternatives = {{"by trying",
-                          attempt<EulerStepWithin>(NUTSHELL_CALL(alternatives::step_by_trying))}},
-    };
-}
-
-}  // namespace nutshell::exercises
-
-#endif

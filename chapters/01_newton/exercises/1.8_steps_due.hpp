@@ -5,6 +5,12 @@
 
 namespace nutshell::exercises {
 
+#ifndef NUTSHELL_SHEET
+inline int at_most(const GameClock& clock, double due) {
+    return static_cast<int>(std::min(due, static_cast<double>(clock.most_steps)));
+}
+#endif
+
 struct StepsDue {
     static constexpr const char *id = "1.8", *function = "steps_due";
     static constexpr auto subject = NUTSHELL_CALL(steps_due);
@@ -22,136 +28,100 @@ struct StepsDue {
             paper.output("clock.owed afterwards [s]", clock.owed, frame_time, clock.step);
         }
     }
+
 #ifndef NUTSHELL_SHEET
-    static Exercise about();
+    static About<StepsDue> about() {
+        return {
+            .title = "How many steps a frame owes",
+            .hints = {"The clock remembers in owed what earlier frames left over. This frame's "
+                      "time comes on top of it.",
+                      "Only whole steps can be made. What is less than a step stays owed for the "
+                      "next frame.",
+                      "Add the frame's time to owed; the whole steps in it are due, and their "
+                      "time is paid, even if most_steps lets you make fewer of them."},
+            .picture = "game_loop.png",
+            .mistakes =
+                {{"no memory of earlier frames", "classic",
+                  "At 60 frames a second the game runs slower than the clock; at 144 it stands "
+                  "still.",
+                  "You count the whole steps of this frame alone and forget the rest. Add the "
+                  "frame's time to clock.owed, and leave there what is less than a step.",
+                  [](GameClock& clock, double frame_time) -> int {
+                      clock.owed = 0;
+                      return at_most(clock, std::floor(frame_time / clock.step));
+                  }},
+                 {"the rest forgotten", "classic: the accumulator dropped each frame",
+                  "The game runs a little slower than the clock, by another part at every frame "
+                  "rate.",
+                  "You set clock.owed to zero after counting. What is less than a step must stay "
+                  "owed, or time is lost in every frame.",
+                  [](GameClock& clock, double frame_time) -> int {
+                      clock.owed += frame_time;
+                      const double due = std::floor(clock.owed / clock.step);
+                      clock.owed = 0;
+                      return at_most(clock, due);
+                  }},
+                 {"rounded to the nearest", "classic",
+                  "The picture jerks back: at times the physics is ahead of the clock.",
+                  "You round to the nearest whole number of steps, so a step is made before its "
+                  "time has come. Round down: only time that has passed can be paid.",
+                  [](GameClock& clock, double frame_time) -> int {
+                      clock.owed += frame_time;
+                      const double due = std::max(0.0, std::round(clock.owed / clock.step));
+                      clock.owed -= due * clock.step;
+                      return at_most(clock, due);
+                  }},
+                 {"rounded up", "classic",
+                  "The physics is always ahead of the clock, and drawing between two states "
+                  "looks into the future.",
+                  "You round up, so the last step is made before its time has come. Round down.",
+                  [](GameClock& clock, double frame_time) -> int {
+                      clock.owed += frame_time;
+                      const double due = std::max(0.0, std::ceil(clock.owed / clock.step));
+                      clock.owed -= due * clock.step;
+                      return at_most(clock, due);
+                  }},
+                 {"no limit", "classic: the spiral of death",
+                  "After one slow frame the next is slower still, until the game freezes.",
+                  "You never make fewer steps than are due. Beyond clock.most_steps the surplus "
+                  "must be dropped.",
+                  [](GameClock& clock, double frame_time) -> int {
+                      clock.owed += frame_time;
+                      const double due = std::floor(clock.owed / clock.step);
+                      clock.owed -= due * clock.step;
+                      return static_cast<int>(due);
+                  }},
+                 {"the surplus kept for later", "classic: the spiral of death, slowly",
+                  "After a long frame the game runs at its limit for seconds, in fast motion.",
+                  "You keep owing the steps beyond clock.most_steps, so the debt is carried on. "
+                  "Beyond the limit time is dropped: only what is less than a step stays owed.",
+                  [](GameClock& clock, double frame_time) -> int {
+                      clock.owed += frame_time;
+                      const int due = at_most(clock, std::floor(clock.owed / clock.step));
+                      clock.owed -= due * clock.step;
+                      return due;
+                  }},
+                 {"steps never paid", "classic",
+                  "The game runs faster and faster until every frame is at the limit.",
+                  "You count the steps but leave their time in clock.owed, so it is counted "
+                  "again in every frame. Take the time of the steps off.",
+                  [](GameClock& clock, double frame_time) -> int {
+                      clock.owed += frame_time;
+                      return at_most(clock, std::floor(clock.owed / clock.step));
+                  }}},
+            .alternatives = {{"one by one",
+                              [](GameClock& clock, double frame_time) -> int {
+                                  int steps = 0;
+                                  for (clock.owed += frame_time; clock.owed >= clock.step;
+                                       clock.owed -= clock.step)
+                                      ++steps;
+                                  return std::min(steps, clock.most_steps);
+                              }}},
+        };
+    }
 #endif
 };
 
 inline const bool steps_due_entered = enter<StepsDue>();
 
 }  // namespace nutshell::exercises
-
-#ifndef NUTSHELL_SHEET
-
-namespace nutshell::mistakes {
-
-inline int at_most(const GameClock& clock, double due) {
-    return static_cast<int>(std::min(due, static_cast<double>(clock.most_steps)));
-}
-inline int steps_without_memory(GameClock& clock, double frame_time) {
-    clock.owed = 0;
-    return at_most(clock, std::floor(frame_time / clock.step));
-}
-inline int steps_rounded(GameClock& clock, double frame_time) {
-    clock.owed += frame_time;
-    const double due = std::max(0.0, std::round(clock.owed / clock.step));
-    clock.owed -= due * clock.step;
-    return at_most(clock, due);
-}
-inline int steps_rounded_up(GameClock& clock, double frame_time) {
-    clock.owed += frame_time;
-    const double due = std::max(0.0, std::ceil(clock.owed / clock.step));
-    clock.owed -= due * clock.step;
-    return at_most(clock, due);
-}
-inline int steps_never_dropped(GameClock& clock, double frame_time) {
-    clock.owed += frame_time;
-    const double due = std::floor(clock.owed / clock.step);
-    clock.owed -= due * clock.step;
-    return static_cast<int>(due);
-}
-inline int steps_kept_for_later(GameClock& clock, double frame_time) {
-    clock.owed += frame_time;
-    const int due = at_most(clock, std::floor(clock.owed / clock.step));
-    clock.owed -= due * clock.step;
-    return due;
-}
-inline int steps_not_booked(GameClock& clock, double frame_time) {
-    clock.owed += frame_time;
-    return at_most(clock, std::floor(clock.owed / clock.step));
-}
-inline int steps_then_forgotten(GameClock& clock, double frame_time) {
-    clock.owed += frame_time;
-    const double due = std::floor(clock.owed / clock.step);
-    clock.owed = 0;
-    return at_most(clock, due);
-}
-
-}  // namespace nutshell::mistakes
-
-namespace nutshell::alternatives {
-
-inline int steps_one_by_one(GameClock& clock, double frame_time) {
-    int steps = 0;
-    for (clock.owed += frame_time; clock.owed >= clock.step; clock.owed -= clock.step) ++steps;
-    return std::min(steps, clock.most_steps);
-}
-
-}  // namespace nutshell::alternatives
-
-namespace nutshell::exercises {
-
-inline Exercise StepsDue::about() {
-    return {
-        .title = "How many steps a frame owes",
-        .hints = {"The clock remembers in owed what earlier frames left over. This frame's time "
-                  "comes on top "
-                  "of it.",
-                  "Only whole steps can be made. What is less than a step stays owed for the "
-                  "next frame.",
-                  "Add the frame's time to owed; the whole steps in it are due, and their time "
-                  "is paid, even "
-                  "if most_steps lets you make fewer of them."},
-        .picture = "game_loop.png",
-        .mistakes =
-            {{"no memory of earlier frames", "classic",
-              "At 60 frames a second the game runs slower than the clock; at 144 it stands "
-              "still.",
-              "You count the whole steps of this frame alone and forget the rest. Add the "
-              "frame's time to "
-              "clock.owed, and leave there what is less than a step.",
-              attempt<StepsDue>(NUTSHELL_CALL(mistakes::steps_without_memory))},
-             {"the rest forgotten", "classic: the accumulator dropped each frame",
-              "The game runs a little slower than the clock, by another part at every frame "
-              "rate.",
-              "You set clock.owed to zero after counting. What is less than a step must stay "
-              "owed, or time "
-              "is lost in every frame.",
-              attempt<StepsDue>(NUTSHELL_CALL(mistakes::steps_then_forgotten))},
-             {"rounded to the nearest", "classic",
-              "The picture jerks back: at times the physics is ahead of the clock.",
-              "You round to the nearest whole number of steps, so a step is made before its time "
-              "has come. "
-              "Round down: only time that has passed can be paid.",
-              attempt<StepsDue>(NUTSHELL_CALL(mistakes::steps_rounded))},
-             {"rounded up", "classic",
-              "The physics is always ahead of the clock, and drawing between two states looks "
-              "into the "
-              "future.",
-              "You round up, so the last step is made before its time has come. Round down.",
-              attempt<StepsDue>(NUTSHELL_CALL(mistakes::steps_rounded_up))},
-             {"no limit", "classic: the spiral of death",
-              "After one slow frame the next is slower still, until the game freezes.",
-              "You never make fewer steps than are due. Beyond clock.most_steps the surplus must "
-              "be dropped.",
-              attempt<StepsDue>(NUTSHELL_CALL(mistakes::steps_never_dropped))},
-             {"the surplus kept for later", "classic: the spiral of death, slowly",
-              "After a long frame the game runs at its limit for seconds, in fast motion.",
-              "You keep owing the steps beyond clock.most_steps, so the debt is carried on. "
-              "Beyond the limit "
-              "time is dropped: only what is less than a step stays owed.",
-              attempt<StepsDue>(NUTSHELL_CALL(mistakes::steps_kept_for_later))},
-             {"steps never paid", "classic",
-              "The game runs faster and faster until every frame is at the limit.",
-              "You count the steps but leave their time in clock.owed, so it is counted again in "
-              "every "
-              "frame. Take the time of the steps off.",
-              attempt<StepsDue>(NUTSHELL_CALL(mistakes::steps_not_booked))}},
-        .alternatives = {{"one by one",
-                          attempt<StepsDue>(NUTSHELL_CALL(alternatives::steps_one_by_one))}},
-    };
-}
-
-}  // namespace nutshell::exercises
-
-#endif

@@ -35,6 +35,12 @@ struct Tether {
     }
 };
 
+/// Said of a step that passes, but moves a PointMass only.
+inline constexpr const char* beyond_one_state =
+    "moves a PointMass only, for it names its members. Said with drift and kick, the same lines "
+    "will move "
+    "the states of later chapters too, which have no velocity.";
+
 /// One step of each state; then the planet's orbit for one unit of time, against Kepler's
 /// equation.
 template <class Answer>
@@ -46,10 +52,10 @@ void ask_step(Paper& paper, const Answer& answer, double drag) {
     paper.input("a point mass, mass", body.mass, "position", body.position, "velocity",
                 body.velocity, "t", t, "dt", dt);
     const PointMass moved = answer(body, tether, t, dt);
-    paper.output("the position [m]", moved.position, body.position, body.velocity * dt,
-                 gain * dt);
-    paper.output("the velocity [m/s]", moved.velocity, body.velocity, gain);
-    paper.output("the mass [kg]", moved.mass, body.mass);
+    paper.changed("the position [m]", moved.position, body.position, body.velocity * dt,
+                  gain * dt);
+    paper.changed("the velocity [m/s]", moved.velocity, body.velocity, gain);
+    paper.changed("the mass [kg]", moved.mass, body.mass);
 
     const Planet planet;
     const int steps = static_cast<int>(std::lround(1 / paper.step(1.0 / 64)));
@@ -60,15 +66,15 @@ void ask_step(Paper& paper, const Answer& answer, double drag) {
     paper.run("the planet's position at the end [a]", orbiting.position, planet.exact(1).position,
               planet.start.position);
 
-#ifndef NUTSHELL_ONE_STATE  // defined when a learner's step moves a PointMass only
-    if (!paper.other_states()) return;
+#ifndef NUTSHELL_ESSENTIALS  // defined when a learner's step moves a PointMass only
+    if (!paper.asks_beyond()) return;
     const Sledge sledge{2.5, body.position, body.mass * body.velocity};
     paper.input("a state of another type, with its own drift and kick, dt", dt);
     const Sledge slid = answer(sledge, tether, t, dt);
-    paper.output("the other state's position [m]", slid.position, body.position,
-                 body.velocity * dt, gain * dt);
-    paper.output("the other state's momentum [kg m/s]", slid.momentum, sledge.momentum,
-                 gain * body.mass);
+    paper.changed("the other state's position [m]", slid.position, body.position,
+                  body.velocity * dt, gain * dt);
+    paper.changed("the other state's momentum [kg m/s]", slid.momentum, sledge.momentum,
+                  gain * body.mass);
 #endif
 }
 

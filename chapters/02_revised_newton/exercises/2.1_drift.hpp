@@ -18,83 +18,56 @@ struct DriftInMomentum {
                         "dt", dt);
             Particle body = start;
             answer(body, dt);
-            paper.output("the position after the drift [m]", body.position, start.position,
-                         start.momentum / mass * dt);
-            paper.output("the momentum after the drift [kg m/s]", body.momentum, start.momentum);
+            paper.changed("the position after the drift [m]", body.position, start.position,
+                          start.momentum / mass * dt);
+            paper.changed("the momentum after the drift [kg m/s]", body.momentum, start.momentum);
         }
     }
+
 #ifndef NUTSHELL_SHEET
-    static Exercise about();
+    static About<DriftInMomentum> about() {
+        return {
+            .title = "Drift with a momentum",
+            .hints = {"In chapter 1 the body moved by its velocity times dt. Here nobody tells "
+                      "you the velocity.",
+                      "Momentum is mass times velocity. Turn that round: what is the velocity?",
+                      "Momentum over mass is the velocity; the body moves that far in one "
+                      "second, and you have dt seconds."},
+            .mistakes = {{"momentum for velocity", "classic: a body of 1 kg",
+                          "Heavy things race, light things crawl; a body of 1 kg looks right.",
+                          "You move the body by its momentum. The same momentum moves a heavier "
+                          "body more slowly: divide by the mass.",
+                          [](Particle& body, double dt) { body.position += body.momentum * dt; }},
+                         {"the mass above the line", "classic",
+                          "The heavier a thing is, the faster it flies off.",
+                          "You multiply by the mass. A velocity is momentum divided by mass.",
+                          [](Particle& body, double dt) {
+                              body.position += body.momentum * body.mass * dt;
+                          }},
+                         {"a second in every step", "classic: moving by frames",
+                          "Everything jumps a whole second ahead in every frame.",
+                          "You move the body by its velocity, which is the way of one second. "
+                          "The step has dt seconds.",
+                          [](Particle& body, double) {
+                              body.position += body.momentum / body.mass;
+                          }},
+                         {"starts from the origin every time", "classic: = for +=",
+                          "The body trembles near the origin and never gets away.",
+                          "You replace the position by the way of this step. The way must be "
+                          "added to where the body was.",
+                          [](Particle& body, double dt) {
+                              body.position = body.momentum / body.mass * dt;
+                          }}},
+            .alternatives = {{"velocity first",
+                              [](Particle& body, double dt) {
+                                  const Vector3 v = velocity(body);
+                                  body.position = dt * v + body.position;
+                              }}},
+        };
+    }
 #endif
 };
 
 inline const bool drift_in_momentum_entered = enter<DriftInMomentum>();
 
 }  // namespace nutshell::exercises
-
-#ifndef NUTSHELL_SHEET
-
-namespace nutshell::mistakes {
-
-inline void drift_by_momentum(Particle& body, double dt) {
-    body.position += body.momentum * dt;
-}
-inline void drift_by_mass_times_momentum(Particle& body, double dt) {
-    body.position += body.momentum * body.mass * dt;
-}
-inline void drift_without_dt(Particle& body, double) {
-    body.position += body.momentum / body.mass;
-}
-inline void drift_from_the_origin(Particle& body, double dt) {
-    body.position = body.momentum / body.mass * dt;
-}
-
-}  // namespace nutshell::mistakes
-
-namespace nutshell::alternatives {
-
-inline void drift_by_velocity(Particle& body, double dt) {
-    const Vector3 v = velocity(body);
-    body.position = dt * v + body.position;
-}
-
-}  // namespace nutshell::alternatives
-
-namespace nutshell::exercises {
-
-inline Exercise DriftInMomentum::about() {
-    return {
-        .title = "Drift with a momentum",
-        .hints = {"In chapter 1 the body moved by its velocity times dt. Here nobody tells you "
-                  "the velocity.",
-                  "Momentum is mass times velocity. Turn that round: what is the velocity?",
-                  "Momentum over mass is the velocity; the body moves that far in one second, "
-                  "and you have dt seconds."},
-        .mistakes = {{"momentum for velocity", "classic: a body of 1 kg",
-                      "Heavy things race, light things crawl; a body of 1 kg looks right.",
-                      "You move the body by its momentum. The same momentum moves a heavier body "
-                      "more slowly: divide by the mass.",
-                      attempt<DriftInMomentum>(NUTSHELL_CALL(mistakes::drift_by_momentum))},
-                     {"the mass above the line", "classic",
-                      "The heavier a thing is, the faster it flies off.",
-                      "You multiply by the mass. A velocity is momentum divided by mass.",
-                      attempt<DriftInMomentum>(
-                          NUTSHELL_CALL(mistakes::drift_by_mass_times_momentum))},
-                     {"a second in every step", "classic: moving by frames",
-                      "Everything jumps a whole second ahead in every frame.",
-                      "You move the body by its velocity, which is the way of one second. The "
-                      "step has dt seconds.",
-                      attempt<DriftInMomentum>(NUTSHELL_CALL(mistakes::drift_without_dt))},
-                     {"starts from the origin every time", "classic: = for +=",
-                      "The body trembles near the origin and never gets away.",
-                      "You replace the position by the way of this step. The way must be added "
-                      "to where the body was.",
-                      attempt<DriftInMomentum>(NUTSHELL_CALL(mistakes::drift_from_the_origin))}},
-        .alternatives = {{"velocity first", attempt<DriftInMomentum>(
-                                                NUTSHELL_CALL(alternatives::drift_by_velocity))}},
-    };
-}
-
-}  // namespace nutshell::exercises
-
-#endif

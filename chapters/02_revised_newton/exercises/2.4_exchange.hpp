@@ -18,102 +18,76 @@ struct ExchangeMass {
                 paper.input("mass", start.mass, "momentum", start.momentum, "dm", dm, "w", w);
                 Particle body = start;
                 answer(body, dm, w);
-                paper.output("the mass after the exchange [kg]", body.mass, start.mass, dm);
-                paper.output("the momentum after the exchange [kg m/s]", body.momentum,
-                             start.momentum, dm * v, dm * w);
+                paper.changed("the mass after the exchange [kg]", body.mass, start.mass, dm);
+                paper.changed("the momentum after the exchange [kg m/s]", body.momentum,
+                              start.momentum, dm * v, dm * w);
             }
     }
+
 #ifndef NUTSHELL_SHEET
-    static Exercise about();
+    static About<ExchangeMass> about() {
+        return {
+            .title = "Mass with its momentum",
+            .hints = {"What leaves the cart keeps moving. It has a mass and a velocity, so it "
+                      "has a momentum: whose was that before?",
+                      "The exchanged mass moves at the body's velocity plus w. Body and "
+                      "exchanged mass together must keep their momentum.",
+                      "Find the exchanged mass's velocity while the body still has its old mass; "
+                      "dm times it is what the momentum gains. For a loss dm is negative, and so "
+                      "is the gain. Then change the mass."},
+            .picture = "cart.png",
+            .mistakes =
+                {{"the mass changes, the momentum does not", "E05",
+                  "The leaky cart speeds up by itself: 20 m/s when half the mass has left.",
+                  "You read F = dK/dt with K = m v as if what leaves took no momentum along. It "
+                  "does: it moves, so it carries some away. Only mass that is at rest in the "
+                  "world carries none.",
+                  [](Particle& body, double dm, const Vector3&) { body.mass += dm; }},
+                 {"no thrust", "classic",
+                  "The leaky cart is right, but no rocket ever takes off, and rain does not slow "
+                  "the drop.",
+                  "You let everything come and go at the body's own velocity. The exchanged mass "
+                  "moves at that velocity plus w.",
+                  [](Particle& body, double dm, const Vector3&) {
+                      body.momentum += dm * velocity(body);
+                      body.mass += dm;
+                  }},
+                 {"w measured from the ground", "classic",
+                  "A rocket's thrust fades as it gets faster.",
+                  "You use w as the exchanged mass's velocity in the world. It is the velocity "
+                  "relative to the body: add the body's own.",
+                  [](Particle& body, double dm, const Vector3& w) {
+                      body.momentum += dm * w;
+                      body.mass += dm;
+                  }},
+                 {"the mass changed too early", "classic: order of statements",
+                  "The leaky cart gains or loses a little with every parcel.",
+                  "You change the mass and then ask for the velocity, which is no longer that of "
+                  "the moment when the parcel left.",
+                  [](Particle& body, double dm, const Vector3& w) {
+                      body.mass += dm;
+                      body.momentum += dm * (velocity(body) + w);
+                  }},
+                 {"gain and loss swapped", "classic: a sign",
+                  "The rocket is pulled into its own exhaust.",
+                  "You take away dm times the velocity. dm is what the body gains; where it "
+                  "loses mass dm is negative already.",
+                  [](Particle& body, double dm, const Vector3& w) {
+                      body.momentum -= dm * (velocity(body) + w);
+                      body.mass += dm;
+                  }}},
+            .alternatives = {{"by the velocity after",
+                              [](Particle& body, double dm, const Vector3& w) {
+                                  const double after = body.mass + dm;
+                                  const Vector3 v = body.momentum / body.mass + dm / after * w;
+                                  body.mass = after;
+                                  body.momentum = after * v;
+                              }}},
+        };
+    }
 #endif
 };
 
 inline const bool exchange_mass_entered = enter<ExchangeMass>();
 
 }  // namespace nutshell::exercises
-
-#ifndef NUTSHELL_SHEET
-
-namespace nutshell::mistakes {
-
-inline void exchange_as_printed(Particle& body, double dm, const Vector3&) {
-    body.mass += dm;
-}
-inline void exchange_at_own_velocity(Particle& body, double dm, const Vector3&) {
-    body.momentum += dm * velocity(body);
-    body.mass += dm;
-}
-inline void exchange_at_world_velocity(Particle& body, double dm, const Vector3& w) {
-    body.momentum += dm * w;
-    body.mass += dm;
-}
-inline void exchange_mass_first(Particle& body, double dm, const Vector3& w) {
-    body.mass += dm;
-    body.momentum += dm * (velocity(body) + w);
-}
-inline void exchange_backwards(Particle& body, double dm, const Vector3& w) {
-    body.momentum -= dm * (velocity(body) + w);
-    body.mass += dm;
-}
-
-}  // namespace nutshell::mistakes
-
-namespace nutshell::alternatives {
-
-inline void exchange_by_velocity(Particle& body, double dm, const Vector3& w) {
-    const double after = body.mass + dm;
-    const Vector3 v = body.momentum / body.mass + dm / after * w;
-    body.mass = after;
-    body.momentum = after * v;
-}
-
-}  // namespace nutshell::alternatives
-
-namespace nutshell::exercises {
-
-inline Exercise ExchangeMass::about() {
-    return {
-        .title = "Mass with its momentum",
-        .hints = {"What leaves the cart keeps moving. It has a mass and a velocity, so it has a "
-                  "momentum: whose was that before?",
-                  "The exchanged mass moves at the body's velocity plus w. Body and exchanged "
-                  "mass together must keep their momentum.",
-                  "Find the exchanged mass's velocity while the body still has its old mass; dm "
-                  "times it is what the momentum gains. "
-                  "For a loss dm is negative, and so is the gain. Then change the mass."},
-        .picture = "cart.png",
-        .mistakes = {{"the mass changes, the momentum does not", "E05",
-                      "The leaky cart speeds up by itself: 20 m/s when half the mass has left.",
-                      "You read F = dK/dt with K = m v as if what leaves took no momentum along. "
-                      "It does: it moves, so it carries some away. "
-                      "Only mass that is at rest in the world carries none.",
-                      attempt<ExchangeMass>(NUTSHELL_CALL(mistakes::exchange_as_printed))},
-                     {"no thrust", "classic",
-                      "The leaky cart is right, but no rocket ever takes off, and rain does not "
-                      "slow the drop.",
-                      "You let everything come and go at the body's own velocity. The exchanged "
-                      "mass moves at that velocity plus w.",
-                      attempt<ExchangeMass>(NUTSHELL_CALL(mistakes::exchange_at_own_velocity))},
-                     {"w measured from the ground", "classic",
-                      "A rocket's thrust fades as it gets faster.",
-                      "You use w as the exchanged mass's velocity in the world. It is the "
-                      "velocity relative to the body: add the body's own.",
-                      attempt<ExchangeMass>(NUTSHELL_CALL(mistakes::exchange_at_world_velocity))},
-                     {"the mass changed too early", "classic: order of statements",
-                      "The leaky cart gains or loses a little with every parcel.",
-                      "You change the mass and then ask for the velocity, which is no longer "
-                      "that of the moment when the parcel left.",
-                      attempt<ExchangeMass>(NUTSHELL_CALL(mistakes::exchange_mass_first))},
-                     {"gain and loss swapped", "classic: a sign",
-                      "The rocket is pulled into its own exhaust.",
-                      "You take away dm times the velocity. dm is what the body gains; where it "
-                      "loses mass dm is negative already.",
-                      attempt<ExchangeMass>(NUTSHELL_CALL(mistakes::exchange_backwards))}},
-        .alternatives = {{"by the velocity after", attempt<ExchangeMass>(NUTSHELL_CALL(
-                                                       alternatives::exchange_by_velocity))}},
-    };
-}
-
-}  // namespace nutshell::exercises
-
-#endif

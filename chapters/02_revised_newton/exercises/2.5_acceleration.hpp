@@ -19,85 +19,51 @@ struct AccelerationWithFlow {
             paper.output("the acceleration [m/s^2]", a, force / mass, rate / mass * w);
         }
     }
+
 #ifndef NUTSHELL_SHEET
-    static Exercise about();
+    static About<AccelerationWithFlow> about() {
+        return {
+            .title = "Newton's law for a mass that changes",
+            .hints = {"Two things change the body's momentum: the forces, and what comes or "
+                      "goes. Which of the two does equation (11) forget?",
+                      "Equation (11*): the exchanged mass acts like a force. It is large when "
+                      "much mass goes, and when it goes fast.",
+                      "That force is the velocity relative to the body times dm/dt, sign and "
+                      "all. Add it to the forces; then divide by the mass."},
+            .mistakes =
+                {{"the product rule of K = m v", "E05",
+                  "The rocket flies backwards, and a drop that gathers rain shoots ahead.",
+                  "You take the exchanged momentum from the force, as the derivative of m v "
+                  "seems to say. What comes in at w pushes along w: add it.",
+                  [](const Vector3& force, double mass, const Vector3& w,
+                     double mass_rate) -> Vector3 { return (force - mass_rate * w) / mass; }},
+                 {"no thrust", "classic", "The engine burns and nothing happens.",
+                  "You use the forces only. The exchanged mass comes or goes at w and pushes "
+                  "too.",
+                  [](const Vector3& force, double mass, const Vector3&, double) -> Vector3 {
+                      return force / mass;
+                  }},
+                 {"the thrust forgets the mass", "classic",
+                  "A full rocket leaps up like an empty one.",
+                  "You divide the force by the mass, but not the thrust. Both are forces [N]: "
+                  "divide their sum.",
+                  [](const Vector3& force, double mass, const Vector3& w,
+                     double mass_rate) -> Vector3 { return force / mass + mass_rate * w; }},
+                 {"a force, not an acceleration", "classic",
+                  "Everything moves as if it weighed one kilogram.",
+                  "You return the whole force. The acceleration is that over the mass.",
+                  [](const Vector3& force, double, const Vector3& w,
+                     double mass_rate) -> Vector3 { return force + mass_rate * w; }}},
+            .alternatives = {{"each part over the mass",
+                              [](const Vector3& force, double mass, const Vector3& w,
+                                 double mass_rate) -> Vector3 {
+                                  return force / mass + (mass_rate / mass) * w;
+                              }}},
+        };
+    }
 #endif
 };
 
 inline const bool acceleration_with_flow_entered = enter<AccelerationWithFlow>();
 
 }  // namespace nutshell::exercises
-
-#ifndef NUTSHELL_SHEET
-
-namespace nutshell::mistakes {
-
-inline Vector3 acceleration_by_product_rule(const Vector3& force, double mass, const Vector3& w,
-                                            double mass_rate) {
-    return (force - mass_rate * w) / mass;
-}
-inline Vector3 acceleration_without_thrust(const Vector3& force, double mass, const Vector3&,
-                                           double) {
-    return force / mass;
-}
-inline Vector3 acceleration_thrust_over_nothing(const Vector3& force, double mass,
-                                                const Vector3& w, double mass_rate) {
-    return force / mass + mass_rate * w;
-}
-inline Vector3 acceleration_is_force(const Vector3& force, double, const Vector3& w,
-                                     double mass_rate) {
-    return force + mass_rate * w;
-}
-
-}  // namespace nutshell::mistakes
-
-namespace nutshell::alternatives {
-
-inline Vector3 acceleration_in_two_parts(const Vector3& force, double mass, const Vector3& w,
-                                         double mass_rate) {
-    return force / mass + (mass_rate / mass) * w;
-}
-
-}  // namespace nutshell::alternatives
-
-namespace nutshell::exercises {
-
-inline Exercise AccelerationWithFlow::about() {
-    return {
-        .title = "Newton's law for a mass that changes",
-        .hints = {"Two things change the body's momentum: the forces, and what comes or goes. "
-                  "Which of the two does equation (11) forget?",
-                  "Equation (11*): the exchanged mass acts like a force. It is large when much "
-                  "mass goes, and when it goes fast.",
-                  "That force is the velocity relative to the body times dm/dt, sign and all. "
-                  "Add it to the forces; then divide by the mass."},
-        .mistakes =
-            {{"the product rule of K = m v", "E05",
-              "The rocket flies backwards, and a drop that gathers rain shoots ahead.",
-              "You take the exchanged momentum from the force, as the derivative of m v seems to "
-              "say. What comes in at w pushes along w: add it.",
-              attempt<AccelerationWithFlow>(
-                  NUTSHELL_CALL(mistakes::acceleration_by_product_rule))},
-             {"no thrust", "classic", "The engine burns and nothing happens.",
-              "You use the forces only. The exchanged mass comes or goes at w and pushes too.",
-              attempt<AccelerationWithFlow>(
-                  NUTSHELL_CALL(mistakes::acceleration_without_thrust))},
-             {"the thrust forgets the mass", "classic",
-              "A full rocket leaps up like an empty one.",
-              "You divide the force by the mass, but not the thrust. Both are forces [N]: divide "
-              "their sum.",
-              attempt<AccelerationWithFlow>(
-                  NUTSHELL_CALL(mistakes::acceleration_thrust_over_nothing))},
-             {"a force, not an acceleration", "classic",
-              "Everything moves as if it weighed one kilogram.",
-              "You return the whole force. The acceleration is that over the mass.",
-              attempt<AccelerationWithFlow>(NUTSHELL_CALL(mistakes::acceleration_is_force))}},
-        .alternatives = {{"each part over the mass",
-                          attempt<AccelerationWithFlow>(
-                              NUTSHELL_CALL(alternatives::acceleration_in_two_parts))}},
-    };
-}
-
-}  // namespace nutshell::exercises
-
-#endif

@@ -20,82 +20,56 @@ struct Midway {
             paper.output("the velocity relative to the one before [m/s]", relative, w);
         }
     }
+
 #ifndef NUTSHELL_SHEET
-    static Exercise about();
+    static About<Midway> about() {
+        return {
+            .title = "A parcel midway",
+            .hints = {"While the parcel leaves, the rocket's velocity changes. How much? Write "
+                      "down the momentum before and after.",
+                      "Call the change of the rocket's velocity c. The parcel moves at the old "
+                      "velocity plus half of c plus w. Momentum before equals momentum after: "
+                      "solve for c.",
+                      "c is w dm over the mean of the masses before and after. What the function "
+                      "returns is w plus half of c: bring it over one fraction line."},
+            .picture = "rocket.svg",
+            .mistakes = {{"measured from the speed before", "classic: first order",
+                          "A rocket of few parcels is too fast: 6 % with fifteen of them.",
+                          "You return w as it is: that is the parcel measured from the velocity "
+                          "before. The mean has moved on by half the change.",
+                          [](double, double, const Vector3& w) -> Vector3 { return w; }},
+                         {"measured from the speed after", "classic: first order",
+                          "A rocket of few parcels is too slow.",
+                          "You measure the parcel from the velocity after. The mean lies halfway "
+                          "between before and after.",
+                          [](double mass, double dm, const Vector3& w) -> Vector3 {
+                              return w * ((mass + dm) / mass);
+                          }},
+                         {"upside down", "classic: a fraction",
+                          "The rocket is faster still than with parcels from the speed before.",
+                          "Your fraction stands on its head: the parcel that a losing rocket "
+                          "throws is slower than w seen from before, not faster.",
+                          [](double mass, double dm, const Vector3& w) -> Vector3 {
+                              return w * ((mass + dm / 2) / (mass + dm));
+                          }},
+                         {"gain taken for loss", "classic: a sign",
+                          "The more is thrown at once, the more the rocket gains.",
+                          "You take dm from the mass. dm is what the body gains; a rocket's is "
+                          "negative already.",
+                          [](double mass, double dm, const Vector3& w) -> Vector3 {
+                              return w * ((mass - dm) / (mass - dm / 2));
+                          }}},
+            .alternatives = {{"by the change of velocity",
+                              [](double mass, double dm, const Vector3& w) -> Vector3 {
+                                  const Vector3 change =
+                                      w * dm / (mass + dm / 2);  // of the body's velocity
+                                  return w + change / 2;
+                              }}},
+        };
+    }
 #endif
 };
 
 inline const bool midway_entered = enter<Midway>();
 
 }  // namespace nutshell::exercises
-
-#ifndef NUTSHELL_SHEET
-
-namespace nutshell::mistakes {
-
-inline Vector3 midway_from_before(double, double, const Vector3& w) {
-    return w;
-}
-inline Vector3 midway_from_after(double mass, double dm, const Vector3& w) {
-    return w * ((mass + dm) / mass);
-}
-inline Vector3 midway_upside_down(double mass, double dm, const Vector3& w) {
-    return w * ((mass + dm / 2) / (mass + dm));
-}
-inline Vector3 midway_wrong_sign(double mass, double dm, const Vector3& w) {
-    return w * ((mass - dm) / (mass - dm / 2));
-}
-
-}  // namespace nutshell::mistakes
-
-namespace nutshell::alternatives {
-
-inline Vector3 midway_by_change(double mass, double dm, const Vector3& w) {
-    const Vector3 change = w * dm / (mass + dm / 2);  // of the body's velocity
-    return w + change / 2;
-}
-
-}  // namespace nutshell::alternatives
-
-namespace nutshell::exercises {
-
-inline Exercise Midway::about() {
-    return {
-        .title = "A parcel midway",
-        .hints = {"While the parcel leaves, the rocket's velocity changes. How much? Write down "
-                  "the momentum before and after.",
-                  "Call the change of the rocket's velocity c. The parcel moves at the old "
-                  "velocity plus half of c plus w. "
-                  "Momentum before equals momentum after: solve for c.",
-                  "c is w dm over the mean of the masses before and after. What the function "
-                  "returns is w plus half of c: "
-                  "bring it over one fraction line."},
-        .picture = "rocket.svg",
-        .mistakes = {{"measured from the speed before", "classic: first order",
-                      "A rocket of few parcels is too fast: 6 % with fifteen of them.",
-                      "You return w as it is: that is the parcel measured from the velocity "
-                      "before. The mean has moved on by half the change.",
-                      attempt<Midway>(NUTSHELL_CALL(mistakes::midway_from_before))},
-                     {"measured from the speed after", "classic: first order",
-                      "A rocket of few parcels is too slow.",
-                      "You measure the parcel from the velocity after. The mean lies halfway "
-                      "between before and after.",
-                      attempt<Midway>(NUTSHELL_CALL(mistakes::midway_from_after))},
-                     {"upside down", "classic: a fraction",
-                      "The rocket is faster still than with parcels from the speed before.",
-                      "Your fraction stands on its head: the parcel that a losing rocket throws "
-                      "is slower than w seen from before, not faster.",
-                      attempt<Midway>(NUTSHELL_CALL(mistakes::midway_upside_down))},
-                     {"gain taken for loss", "classic: a sign",
-                      "The more is thrown at once, the more the rocket gains.",
-                      "You take dm from the mass. dm is what the body gains; a rocket's is "
-                      "negative already.",
-                      attempt<Midway>(NUTSHELL_CALL(mistakes::midway_wrong_sign))}},
-        .alternatives = {{"by the change of velocity",
-                          attempt<Midway>(NUTSHELL_CALL(alternatives::midway_by_change))}},
-    };
-}
-
-}  // namespace nutshell::exercises
-
-#endif

@@ -18,84 +18,52 @@ struct RocketGain {
             paper.output("the gain of speed [m/s]", gain, u * (10 - m) / 10);
         }
     }
+
 #ifndef NUTSHELL_SHEET
-    static Exercise about();
+    static About<RocketGain> about() {
+        return {
+            .title = "What a rocket gains",
+            .hints = {"Each small parcel adds u times its share of the mass that is there at "
+                      "that moment. What is the sum of all those shares?",
+                      "The sum of dm/m, from the mass after to the mass before, is an integral "
+                      "you have met in school.",
+                      "The integral of dm/m is the natural logarithm; from m to m0 it is that of "
+                      "their ratio. In C++ it is std::log."},
+            .picture = "rocket_gain.svg",
+            .mistakes =
+                {{"the logarithm to base ten", "classic: log is not log10",
+                  "The rocket reaches less than half of its speed.",
+                  "You use the logarithm to base ten. The integral of dm/m is the natural one, "
+                  "std::log.",
+                  [](double u, double m0, double m) -> double { return u * std::log10(m0 / m); }},
+                 {"the ratio upside down", "classic: a sign", "The rocket flies tail first.",
+                  "You take the mass after over the mass before: the logarithm of that is "
+                  "negative. A gain needs the greater mass on top.",
+                  [](double u, double m0, double m) -> double { return u * std::log(m / m0); }},
+                 {"the same gain from every kilogram", "classic",
+                  "No rocket ever gets faster than its own exhaust.",
+                  "You count every kilogram thrown out as if the full rocket threw it. The later "
+                  "ones push a lighter rocket and give more.",
+                  [](double u, double m0, double m) -> double { return u * (m0 - m) / m0; }},
+                 {"everything in one parcel", "classic",
+                  "The rocket is far too fast, as if fired from a gun.",
+                  "You throw all of it at once, with the whole of the gain for what is left. A "
+                  "stream of small parcels gives less: the early ones must push the later ones "
+                  "along.",
+                  [](double u, double m0, double m) -> double { return u * (m0 - m) / m; }}},
+            .alternatives = {{"two logarithms",
+                              [](double u, double m0, double m) -> double {
+                                  return u * std::log(m0) - u * std::log(m);
+                              }},
+                             {"log1p",
+                              [](double u, double m0, double m) -> double {
+                                  return -u * std::log1p(-(m0 - m) / m0);
+                              }}},
+        };
+    }
 #endif
 };
 
 inline const bool rocket_gain_entered = enter<RocketGain>();
 
 }  // namespace nutshell::exercises
-
-#ifndef NUTSHELL_SHEET
-
-namespace nutshell::mistakes {
-
-inline double gain_by_common_logarithm(double u, double m0, double m) {
-    return u * std::log10(m0 / m);
-}
-inline double gain_upside_down(double u, double m0, double m) {
-    return u * std::log(m / m0);
-}
-inline double gain_in_proportion(double u, double m0, double m) {
-    return u * (m0 - m) / m0;
-}
-inline double gain_in_one_parcel(double u, double m0, double m) {
-    return u * (m0 - m) / m;
-}
-
-}  // namespace nutshell::mistakes
-
-namespace nutshell::alternatives {
-
-inline double gain_by_two_logarithms(double u, double m0, double m) {
-    return u * std::log(m0) - u * std::log(m);
-}
-inline double gain_by_log1p(double u, double m0, double m) {
-    return -u * std::log1p(-(m0 - m) / m0);
-}
-
-}  // namespace nutshell::alternatives
-
-namespace nutshell::exercises {
-
-inline Exercise RocketGain::about() {
-    return {
-        .title = "What a rocket gains",
-        .hints = {"Each small parcel adds u times its share of the mass that is there at that "
-                  "moment. What is the sum of all those shares?",
-                  "The sum of dm/m, from the mass after to the mass before, is an integral you "
-                  "have met in school.",
-                  "The integral of dm/m is the natural logarithm; from m to m0 it is that of "
-                  "their ratio. In C++ it is std::log."},
-        .picture = "rocket_gain.svg",
-        .mistakes = {{"the logarithm to base ten", "classic: log is not log10",
-                      "The rocket reaches less than half of its speed.",
-                      "You use the logarithm to base ten. The integral of dm/m is the natural "
-                      "one, std::log.",
-                      attempt<RocketGain>(NUTSHELL_CALL(mistakes::gain_by_common_logarithm))},
-                     {"the ratio upside down", "classic: a sign", "The rocket flies tail first.",
-                      "You take the mass after over the mass before: the logarithm of that is "
-                      "negative. A gain needs the greater mass on top.",
-                      attempt<RocketGain>(NUTSHELL_CALL(mistakes::gain_upside_down))},
-                     {"the same gain from every kilogram", "classic",
-                      "No rocket ever gets faster than its own exhaust.",
-                      "You count every kilogram thrown out as if the full rocket threw it. The "
-                      "later ones push a lighter rocket and give more.",
-                      attempt<RocketGain>(NUTSHELL_CALL(mistakes::gain_in_proportion))},
-                     {"everything in one parcel", "classic",
-                      "The rocket is far too fast, as if fired from a gun.",
-                      "You throw all of it at once, with the whole of the gain for what is left. "
-                      "A stream of small parcels gives less: "
-                      "the early ones must push the later ones along.",
-                      attempt<RocketGain>(NUTSHELL_CALL(mistakes::gain_in_one_parcel))}},
-        .alternatives = {{"two logarithms", attempt<RocketGain>(NUTSHELL_CALL(
-                                                alternatives::gain_by_two_logarithms))},
-                         {"log1p",
-                          attempt<RocketGain>(NUTSHELL_CALL(alternatives::gain_by_log1p))}},
-    };
-}
-
-}  // namespace nutshell::exercises
-
-#endif

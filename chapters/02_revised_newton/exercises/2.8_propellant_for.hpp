@@ -18,85 +18,58 @@ struct PropellantFor {
             paper.output("the propellant [kg]", propellant, m0);
         }
     }
+
 #ifndef NUTSHELL_SHEET
-    static Exercise about();
+    static About<PropellantFor> about() {
+        return {
+            .title = "How much to throw out",
+            .hints = {"Turn exercise 2.7 round: which mass is left when the gain is reached? "
+                      "What is gone then?",
+                      "The logarithm of m0/m is gain/u. Undo the logarithm to get m0/m, and from "
+                      "it m.",
+                      "The mass left is m0 divided by e to the power gain/u. The propellant is "
+                      "the rest of m0."},
+            .mistakes =
+                {{"what is left, not what is thrown", "classic",
+                  "The faster the rocket shall be, the less it burns.",
+                  "You return the mass after the burn. The propellant is the other part of m0.",
+                  [](double gain, double u, double m0) -> double {
+                      return m0 * std::exp(-gain / u);
+                  }},
+                 {"in proportion", "classic",
+                  "The planner asks for more propellant than the rocket weighs, or sends it off "
+                  "with too much.",
+                  "You count the same propellant for each m/s. Near the end the rocket is light, "
+                  "and little gives much.",
+                  [](double gain, double u, double m0) -> double { return m0 * gain / u; }},
+                 {"m0 taken for the mass after", "classic",
+                  "The planner asks for more than the whole rocket.",
+                  "Your formula takes m0 as the mass that is left. Here m0 is the mass before, "
+                  "propellant and all.",
+                  [](double gain, double u, double m0) -> double {
+                      return m0 * (std::exp(gain / u) - 1);
+                  }},
+                 {"the two speeds swapped", "classic: upside down",
+                  "A better engine needs more propellant.",
+                  "You divide the exhaust speed by the gain. It is the gain, counted in exhaust "
+                  "speeds, that goes into the exponent.",
+                  [](double gain, double u, double m0) -> double {
+                      return m0 * (1 - std::exp(-u / gain));
+                  }}},
+            .alternatives = {{"expm1",
+                              [](double gain, double u, double m0) -> double {
+                                  return -m0 * std::expm1(-gain / u);
+                              }},
+                             {"by the mass after",
+                              [](double gain, double u, double m0) -> double {
+                                  const double after = m0 / std::exp(gain / u);
+                                  return m0 - after;
+                              }}},
+        };
+    }
 #endif
 };
 
 inline const bool propellant_for_entered = enter<PropellantFor>();
 
 }  // namespace nutshell::exercises
-
-#ifndef NUTSHELL_SHEET
-
-namespace nutshell::mistakes {
-
-inline double propellant_left_over(double gain, double u, double m0) {
-    return m0 * std::exp(-gain / u);
-}
-inline double propellant_in_proportion(double gain, double u, double m0) {
-    return m0 * gain / u;
-}
-inline double propellant_for_dry_mass(double gain, double u, double m0) {
-    return m0 * (std::exp(gain / u) - 1);
-}
-inline double propellant_speeds_swapped(double gain, double u, double m0) {
-    return m0 * (1 - std::exp(-u / gain));
-}
-
-}  // namespace nutshell::mistakes
-
-namespace nutshell::alternatives {
-
-inline double propellant_by_expm1(double gain, double u, double m0) {
-    return -m0 * std::expm1(-gain / u);
-}
-inline double propellant_by_final_mass(double gain, double u, double m0) {
-    const double after = m0 / std::exp(gain / u);
-    return m0 - after;
-}
-
-}  // namespace nutshell::alternatives
-
-namespace nutshell::exercises {
-
-inline Exercise PropellantFor::about() {
-    return {
-        .title = "How much to throw out",
-        .hints =
-            {"Turn exercise 2.7 round: which mass is left when the gain is reached? What is gone "
-             "then?",
-             "The logarithm of m0/m is gain/u. Undo the logarithm to get m0/m, and from it m.",
-             "The mass left is m0 divided by e to the power gain/u. The propellant is the rest "
-             "of m0."},
-        .mistakes =
-            {{"what is left, not what is thrown", "classic",
-              "The faster the rocket shall be, the less it burns.",
-              "You return the mass after the burn. The propellant is the other part of m0.",
-              attempt<PropellantFor>(NUTSHELL_CALL(mistakes::propellant_left_over))},
-             {"in proportion", "classic",
-              "The planner asks for more propellant than the rocket weighs, or sends it off with "
-              "too much.",
-              "You count the same propellant for each m/s. Near the end the rocket is light, and "
-              "little gives much.",
-              attempt<PropellantFor>(NUTSHELL_CALL(mistakes::propellant_in_proportion))},
-             {"m0 taken for the mass after", "classic",
-              "The planner asks for more than the whole rocket.",
-              "Your formula takes m0 as the mass that is left. Here m0 is the mass before, "
-              "propellant and all.",
-              attempt<PropellantFor>(NUTSHELL_CALL(mistakes::propellant_for_dry_mass))},
-             {"the two speeds swapped", "classic: upside down",
-              "A better engine needs more propellant.",
-              "You divide the exhaust speed by the gain. It is the gain, counted in exhaust "
-              "speeds, that goes into the exponent.",
-              attempt<PropellantFor>(NUTSHELL_CALL(mistakes::propellant_speeds_swapped))}},
-        .alternatives = {{"expm1", attempt<PropellantFor>(
-                                       NUTSHELL_CALL(alternatives::propellant_by_expm1))},
-                         {"by the mass after", attempt<PropellantFor>(NUTSHELL_CALL(
-                                                   alternatives::propellant_by_final_mass))}},
-    };
-}
-
-}  // namespace nutshell::exercises
-
-#endif

@@ -33,105 +33,75 @@ struct SpringForce {
 
   public:
 #ifndef NUTSHELL_SHEET
-    static Exercise about();
+    static About<SpringForce> about() {
+        return {
+            .title = "The force of a spring",
+            .hints = {"Draw the two ends and an arrow from the other end to this one. Along it "
+                      "the spring pushes or pulls; what decides which?",
+                      "The strength is the stiffness times how much the length differs from the "
+                      "rest length; the direction is a vector of length one. What if there is no "
+                      "direction?",
+                      "Take the difference of the ends and its norm. For a norm of zero answer "
+                      "with no force; else stiffness times (rest length minus length), along the "
+                      "difference over its norm."},
+            .mistakes =
+                {{"no guard where the ends meet", "E08: the source's eq. (18)",
+                  "Two particles meet, and from that step on everything is NaN and vanishes.",
+                  "Where both ends are at one place you divide zero by zero. A spring without a "
+                  "direction has no force there: test the length first.",
+                  [](const Spring& spring, const Vector3& end,
+                     const Vector3& other_end) -> Vector3 {
+                      const Vector3 d = end - other_end;
+                      return spring.stiffness * (spring.rest_length - d.norm()) / d.norm() * d;
+                  }},
+                 {"the wrong sign", "classic",
+                  "The spring flies apart: the longer it is, the harder it pushes.",
+                  "The force has the right size and the wrong direction: a long spring must pull "
+                  "its end towards the other end.",
+                  [](const Spring& spring, const Vector3& end, const Vector3& other_end)
+                      -> Vector3 { return -spring_force(spring, end, other_end); }},
+                 {"no rest length", "classic", "The rope contracts to a point.",
+                  "You pull in proportion to the length. It is the length beyond the rest length "
+                  "that counts.",
+                  [](const Spring& spring, const Vector3& end, const Vector3& other_end)
+                      -> Vector3 { return -spring.stiffness * (end - other_end); }},
+                 {"a direction that is not of length one", "classic: forgot to normalise",
+                  "Long springs are far too strong and short ones too weak.",
+                  "You multiply by the difference of the ends, whose length is not one. Divide "
+                  "by its norm.",
+                  [](const Spring& spring, const Vector3& end,
+                     const Vector3& other_end) -> Vector3 {
+                      const Vector3 d = end - other_end;
+                      return spring.stiffness * (spring.rest_length - d.norm()) * d;
+                  }},
+                 {"a rope, not a spring", "classic", "A compressed spring does nothing.",
+                  "When it is shorter than its rest length, a spring pushes. You give no force "
+                  "there; that is a rope.",
+                  [](const Spring& spring, const Vector3& end,
+                     const Vector3& other_end) -> Vector3 {
+                      if ((end - other_end).norm() < spring.rest_length) return Vector3::Zero();
+                      return spring_force(spring, end, other_end);
+                  }},
+                 {"half the force", "classic: the energy's 1/2",
+                  "Everything swings too slowly, by a factor of the root of two.",
+                  "The 1/2 belongs to the spring's energy. Its force is the slope of the energy, "
+                  "and there the 1/2 is gone.",
+                  [](const Spring& spring, const Vector3& end, const Vector3& other_end)
+                      -> Vector3 { return spring_force(spring, end, other_end) / 2; }}},
+            .alternatives =
+                {{"by a unit vector",
+                  [](const Spring& spring, const Vector3& end,
+                     const Vector3& other_end) -> Vector3 {
+                      const Vector3 towards =
+                          (other_end - end).normalized();  // Eigen gives zero for zero
+                      return spring.stiffness * ((end - other_end).norm() - spring.rest_length) *
+                             towards;
+                  }}},
+        };
+    }
 #endif
 };
 
 inline const bool spring_force_entered = enter<SpringForce>();
 
 }  // namespace nutshell::exercises
-
-#ifndef NUTSHELL_SHEET
-
-namespace nutshell::mistakes {
-
-inline Vector3 spring_unguarded(const Spring& spring, const Vector3& end,
-                                const Vector3& other_end) {
-    const Vector3 d = end - other_end;
-    return spring.stiffness * (spring.rest_length - d.norm()) / d.norm() * d;
-}
-inline Vector3 spring_wrong_sign(const Spring& spring, const Vector3& end,
-                                 const Vector3& other_end) {
-    return -spring_force(spring, end, other_end);
-}
-inline Vector3 spring_without_rest_length(const Spring& spring, const Vector3& end,
-                                          const Vector3& other_end) {
-    return -spring.stiffness * (end - other_end);
-}
-inline Vector3 spring_not_along_a_unit_vector(const Spring& spring, const Vector3& end,
-                                              const Vector3& other_end) {
-    const Vector3 d = end - other_end;
-    return spring.stiffness * (spring.rest_length - d.norm()) * d;
-}
-inline Vector3 spring_that_never_pushes(const Spring& spring, const Vector3& end,
-                                        const Vector3& other_end) {
-    if ((end - other_end).norm() < spring.rest_length) return Vector3::Zero();
-    return spring_force(spring, end, other_end);
-}
-inline Vector3 spring_of_half_strength(const Spring& spring, const Vector3& end,
-                                       const Vector3& other_end) {
-    return spring_force(spring, end, other_end) / 2;
-}
-
-}  // namespace nutshell::mistakes
-
-namespace nutshell::alternatives {
-
-inline Vector3 spring_by_unit_vector(const Spring& spring, const Vector3& end,
-                                     const Vector3& other_end) {
-    const Vector3 towards = (other_end - end).normalized();  // Eigen gives zero for zero
-    return spring.stiffness * ((end - other_end).norm() - spring.rest_length) * towards;
-}
-
-}  // namespace nutshell::alternatives
-
-namespace nutshell::exercises {
-
-inline Exercise SpringForce::about() {
-    return {
-        .title = "The force of a spring",
-        .hints =
-            {"Draw the two ends and an arrow from the other end to this one. Along it the spring "
-             "pushes or pulls; what decides which?",
-             "The strength is the stiffness times how much the length differs from the rest "
-             "length; the direction is a vector of length one. What if there is no direction?",
-             "Take the difference of the ends and its norm. For a norm of zero answer with no "
-             "force; else stiffness times (rest length minus length), along the difference over "
-             "its norm."},
-        .mistakes = {{"no guard where the ends meet", "E08: the source's eq. (18)",
-                      "Two particles meet, and from that step on everything is NaN and vanishes.",
-                      "Where both ends are at one place you divide zero by zero. A spring "
-                      "without a direction has no force there: test the length first.",
-                      attempt<SpringForce>(NUTSHELL_CALL(mistakes::spring_unguarded))},
-                     {"the wrong sign", "classic",
-                      "The spring flies apart: the longer it is, the harder it pushes.",
-                      "The force has the right size and the wrong direction: a long spring must "
-                      "pull its end towards the other end.",
-                      attempt<SpringForce>(NUTSHELL_CALL(mistakes::spring_wrong_sign))},
-                     {"no rest length", "classic", "The rope contracts to a point.",
-                      "You pull in proportion to the length. It is the length beyond the rest "
-                      "length that counts.",
-                      attempt<SpringForce>(NUTSHELL_CALL(mistakes::spring_without_rest_length))},
-                     {"a direction that is not of length one", "classic: forgot to normalise",
-                      "Long springs are far too strong and short ones too weak.",
-                      "You multiply by the difference of the ends, whose length is not one. "
-                      "Divide by its norm.",
-                      attempt<SpringForce>(
-                          NUTSHELL_CALL(mistakes::spring_not_along_a_unit_vector))},
-                     {"a rope, not a spring", "classic", "A compressed spring does nothing.",
-                      "When it is shorter than its rest length, a spring pushes. You give no "
-                      "force there; that is a rope.",
-                      attempt<SpringForce>(NUTSHELL_CALL(mistakes::spring_that_never_pushes))},
-                     {"half the force", "classic: the energy's 1/2",
-                      "Everything swings too slowly, by a factor of the root of two.",
-                      "The 1/2 belongs to the spring's energy. Its force is the slope of the "
-                      "energy, and there the 1/2 is gone.",
-                      attempt<SpringForce>(NUTSHELL_CALL(mistakes::spring_of_half_strength))}},
-        .alternatives = {{"by a unit vector", attempt<SpringForce>(NUTSHELL_CALL(
-                                                  alternatives::spring_by_unit_vector))}},
-    };
-}
-
-}  // namespace nutshell::exercises
-
-#endif

@@ -17,94 +17,71 @@ struct YoshidaWeights {
         paper.output("the middle weight", w[1], 1.0);
         paper.output("the last weight", w[2], 1.0);
     }
+
 #ifndef NUTSHELL_SHEET
-    static Exercise about();
+    static About<YoshidaWeights> about() {
+        return {
+            .title = "Yoshida's weights",
+            .hints = {"Call the outer weight w1 and the middle one w0. Two conditions, two "
+                      "unknowns: the weights add up to one, and the cubes add up to zero.",
+                      "The cubes of two w1 and one w0 add up to zero, so w0 is minus w1 times "
+                      "the cube root of two. What does that say about its sign?",
+                      "Put w0 = -2^(1/3) w1 into 2 w1 + w0 = 1 and solve for w1. The middle step "
+                      "goes back in time."},
+            .mistakes =
+                {{"three equal steps", "classic",
+                  "Three times the work for nine times less error, where ten thousand times less "
+                  "was promised.",
+                  "Three equal steps are the same method with a smaller step: their cubes add up "
+                  "to 1/9, not to zero.",
+                  []() -> std::array<double, 3> {
+                      return {1. / 3, 1. / 3, 1. / 3};
+                  }},
+                 {"a square root", "classic: the wrong power",
+                  "The method stays at second order.",
+                  "You make the squares cancel. Verlet's leading error grows as dt cubed, so it "
+                  "is the cubes.",
+                  []() -> std::array<double, 3> {
+                      const double w1 = 1 / (2 - std::sqrt(2.0));
+                      return {w1, 1 - 2 * w1, w1};
+                  }},
+                 {"no step back", "classic: the sign", "The method stays at second order.",
+                  "With a plus in the denominator all three weights are positive, and positive "
+                  "cubes cannot add up to zero. One step must go back.",
+                  []() -> std::array<double, 3> {
+                      const double w1 = 1 / (2 + std::cbrt(2.0));
+                      return {w1, 1 - 2 * w1, w1};
+                  }},
+                 {"not symmetric", "classic",
+                  "The method is of third order only, and a run back in time does not return.",
+                  "The weights are right and their order is not: the same backwards as forwards, "
+                  "with the step back in the middle.",
+                  []() -> std::array<double, 3> {
+                      const double w1 = 1 / (2 - std::cbrt(2.0));
+                      return {1 - 2 * w1, w1, w1};
+                  }},
+                 {"the fifth root", "classic: the next rung", "The method stays at second order.",
+                  "The fifth root lifts a fourth-order method to the sixth. From order two to "
+                  "four it is the cube root.",
+                  []() -> std::array<double, 3> {
+                      const double w1 = 1 / (2 - std::pow(2.0, 0.2));
+                      return {w1, 1 - 2 * w1, w1};
+                  }}},
+            .alternatives = {{"by Newton's method",
+                              []() -> std::array<double, 3> {
+                                  double w1 = 1.3;  // 2 w1^3 + (1 - 2 w1)^3 = 0
+                                  for (int turn = 0; turn < 20; ++turn) {
+                                      const double w0 = 1 - 2 * w1;
+                                      w1 -= (2 * w1 * w1 * w1 + w0 * w0 * w0) /
+                                            (6 * w1 * w1 - 6 * w0 * w0);
+                                  }
+                                  return {w1, 1 - 2 * w1, w1};
+                              }}},
+        };
+    }
 #endif
 };
 
 inline const bool yoshida_weights_entered = enter<YoshidaWeights>();
 
 }  // namespace nutshell::exercises
-
-#ifndef NUTSHELL_SHEET
-
-namespace nutshell::mistakes {
-
-inline std::array<double, 3> three_equal_steps() {
-    return {1. / 3, 1. / 3, 1. / 3};
-}
-inline std::array<double, 3> weights_by_square_root() {
-    const double w1 = 1 / (2 - std::sqrt(2.0));
-    return {w1, 1 - 2 * w1, w1};
-}
-inline std::array<double, 3> weights_without_a_step_back() {
-    const double w1 = 1 / (2 + std::cbrt(2.0));
-    return {w1, 1 - 2 * w1, w1};
-}
-inline std::array<double, 3> weights_in_the_wrong_order() {
-    const double w1 = 1 / (2 - std::cbrt(2.0));
-    return {1 - 2 * w1, w1, w1};
-}
-inline std::array<double, 3> weights_by_fifth_root() {
-    const double w1 = 1 / (2 - std::pow(2.0, 0.2));
-    return {w1, 1 - 2 * w1, w1};
-}
-
-}  // namespace nutshell::mistakes
-
-namespace nutshell::alternatives {
-
-inline std::array<double, 3> weights_by_newton() {
-    double w1 = 1.3;  // 2 w1^3 + (1 - 2 w1)^3 = 0
-    for (int turn = 0; turn < 20; ++turn) {
-        const double w0 = 1 - 2 * w1;
-        w1 -= (2 * w1 * w1 * w1 + w0 * w0 * w0) / (6 * w1 * w1 - 6 * w0 * w0);
-    }
-    return {w1, 1 - 2 * w1, w1};
-}
-
-}  // namespace nutshell::alternatives
-
-namespace nutshell::exercises {
-
-inline Exercise YoshidaWeights::about() {
-    return {
-        .title = "Yoshida's weights",
-        .hints = {"Call the outer weight w1 and the middle one w0. Two conditions, two unknowns: "
-                  "the weights add up to one, and the cubes add up to zero.",
-                  "The cubes of two w1 and one w0 add up to zero, so w0 is minus w1 times the "
-                  "cube root of two. What does that say about its sign?",
-                  "Put w0 = -2^(1/3) w1 into 2 w1 + w0 = 1 and solve for w1. The middle step "
-                  "goes back in time."},
-        .mistakes =
-            {{"three equal steps", "classic",
-              "Three times the work for nine times less error, where ten thousand times less was "
-              "promised.",
-              "Three equal steps are the same method with a smaller step: their cubes add up to "
-              "1/9, not to zero.",
-              attempt<YoshidaWeights>(NUTSHELL_CALL(mistakes::three_equal_steps))},
-             {"a square root", "classic: the wrong power", "The method stays at second order.",
-              "You make the squares cancel. Verlet's leading error grows as dt cubed, so it is "
-              "the cubes.",
-              attempt<YoshidaWeights>(NUTSHELL_CALL(mistakes::weights_by_square_root))},
-             {"no step back", "classic: the sign", "The method stays at second order.",
-              "With a plus in the denominator all three weights are positive, and positive cubes "
-              "cannot add up to zero. One step must go back.",
-              attempt<YoshidaWeights>(NUTSHELL_CALL(mistakes::weights_without_a_step_back))},
-             {"not symmetric", "classic",
-              "The method is of third order only, and a run back in time does not return.",
-              "The weights are right and their order is not: the same backwards as forwards, "
-              "with the step back in the middle.",
-              attempt<YoshidaWeights>(NUTSHELL_CALL(mistakes::weights_in_the_wrong_order))},
-             {"the fifth root", "classic: the next rung", "The method stays at second order.",
-              "The fifth root lifts a fourth-order method to the sixth. From order two to four "
-              "it is the cube root.",
-              attempt<YoshidaWeights>(NUTSHELL_CALL(mistakes::weights_by_fifth_root))}},
-        .alternatives = {{"by Newton's method", attempt<YoshidaWeights>(NUTSHELL_CALL(
-                                                    alternatives::weights_by_newton))}},
-    };
-}
-
-}  // namespace nutshell::exercises
-
-#endif

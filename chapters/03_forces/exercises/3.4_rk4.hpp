@@ -23,8 +23,8 @@ struct RungeKutta4 {
         for (const double t : {0.0, 1.4}) {
             paper.input("a pushed pendulum, angle and rate", start, "t", t, "dt", dt);
             const Eigen::Vector2d end = answer(start, Pendulum{}, t, dt);
-            paper.output("the state after the step", end, start,
-                         Eigen::Vector2d(Pendulum{}(start, t) * dt));
+            paper.changed("the state after the step", end, start,
+                          Eigen::Vector2d(Pendulum{}(start, t) * dt));
         }
         const int steps = static_cast<int>(std::lround(1 / paper.step(1.0 / 8)));
         paper.input("y' = -y + 2 t from y = 1, for 1 s in", steps, "steps");
@@ -36,120 +36,95 @@ struct RungeKutta4 {
             y = answer(y, flow, i / static_cast<double>(steps), 1.0 / steps);
         paper.run("the first number at the end", y[0], 3 * std::exp(-1.0), 1.0);
     }
+
 #ifndef NUTSHELL_SHEET
-    static Exercise about();
+    static About<RungeKutta4> about() {
+        return {
+            .title = "A step of RK4",
+            .hints = {"Four looks at the rate: one at the start, two in the middle, one at the "
+                      "end. Each look stands where the one before it pointed.",
+                      "The second look goes half a step along the first rate, the third half a "
+                      "step along the second, the fourth a whole step along the third. Each at "
+                      "its own time.",
+                      "The mean of the four rates: the two in the middle count twice, the outer "
+                      "ones once. What must the sum be divided by?"},
+            .order = 4,
+            .mistakes =
+                {{"the fourth look half way", "classic",
+                  "It is no better than the midpoint rule, at twice the cost.",
+                  "The fourth rate is that of the end: a whole step along the third, at t + dt.",
+                  []<class Flat, class Rate>(const Flat& y, const Rate& flow, double t,
+                                             double dt) -> Flat {
+                      const Flat k1 = flow(y, t), k2 = flow(Flat(y + dt / 2 * k1), t + dt / 2),
+                                 k3 = flow(Flat(y + dt / 2 * k2), t + dt / 2),
+                                 k4 = flow(Flat(y + dt / 2 * k3), t + dt / 2);
+                      return y + dt / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
+                  }},
+                 {"equal weights", "classic",
+                  "Halving the step halves the error only, or quarters it; never a sixteenth.",
+                  "You give all four rates the same weight. The two in the middle count twice, "
+                  "and the sum is divided by six.",
+                  []<class Flat, class Rate>(const Flat& y, const Rate& flow, double t,
+                                             double dt) -> Flat {
+                      const Flat k1 = flow(y, t), k2 = flow(Flat(y + dt / 2 * k1), t + dt / 2),
+                                 k3 = flow(Flat(y + dt / 2 * k2), t + dt / 2),
+                                 k4 = flow(Flat(y + dt * k3), t + dt);
+                      return y + dt / 4 * (k1 + k2 + k3 + k4);
+                  }},
+                 {"the third look repeats the second", "classic: copy and paste",
+                  "The order drops to two or three.",
+                  "k3 is found by going along k2, not along k1 again. That correction is what "
+                  "the third look is for.",
+                  []<class Flat, class Rate>(const Flat& y, const Rate& flow, double t,
+                                             double dt) -> Flat {
+                      const Flat k1 = flow(y, t), k2 = flow(Flat(y + dt / 2 * k1), t + dt / 2),
+                                 k3 = flow(Flat(y + dt / 2 * k1), t + dt / 2),
+                                 k4 = flow(Flat(y + dt * k3), t + dt);
+                      return y + dt / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
+                  }},
+                 {"time stands still", "classic",
+                  "Forces that change with time act late; all is well where they do not.",
+                  "The looks in the middle are at t + dt/2, the last is at t + dt. You ask for "
+                  "all at t.",
+                  []<class Flat, class Rate>(const Flat& y, const Rate& flow, double t,
+                                             double dt) -> Flat {
+                      const Flat k1 = flow(y, t), k2 = flow(Flat(y + dt / 2 * k1), t),
+                                 k3 = flow(Flat(y + dt / 2 * k2), t),
+                                 k4 = flow(Flat(y + dt * k3), t);
+                      return y + dt / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
+                  }},
+                 {"Euler's step", "classic", "Everything drifts off as in chapter 1.",
+                  "You look once, at the start. That is Euler's method.",
+                  []<class Flat, class Rate>(const Flat& y, const Rate& flow, double t,
+                                             double dt) -> Flat { return y + dt * flow(y, t); }},
+                 {"the midpoint rule", "classic: RK2",
+                  "The error falls to a quarter when the step is halved, not to a sixteenth.",
+                  "Two looks make the midpoint rule, of second order. RK4 looks four times.",
+                  []<class Flat, class Rate>(const Flat& y, const Rate& flow, double t, double dt)
+                      -> Flat { return explicit_midpoint(y, flow, t, dt); }},
+                 {"no division by six", "classic", "Everything moves six times too far.",
+                  "The weights 1, 2, 2, 1 add up to six: divide by it.",
+                  []<class Flat, class Rate>(const Flat& y, const Rate& flow, double t,
+                                             double dt) -> Flat {
+                      const Flat k1 = flow(y, t), k2 = flow(Flat(y + dt / 2 * k1), t + dt / 2),
+                                 k3 = flow(Flat(y + dt / 2 * k2), t + dt / 2),
+                                 k4 = flow(Flat(y + dt * k3), t + dt);
+                      return y + dt * (k1 + 2 * k2 + 2 * k3 + k4);
+                  }}},
+            .alternatives = {{"by increments",
+                              []<class Flat, class Rate>(const Flat& y, const Rate& flow,
+                                                         double t, double dt) -> Flat {
+                                  const Flat a = dt * flow(y, t),
+                                             b = dt * flow(Flat(y + a / 2), t + dt / 2),
+                                             c = dt * flow(Flat(y + b / 2), t + dt / 2),
+                                             d = dt * flow(Flat(y + c), t + dt);
+                                  return y + (a + d) / 6 + (b + c) / 3;
+                              }}},
+        };
+    }
 #endif
 };
 
 inline const bool rk4_entered = enter<RungeKutta4>();
 
 }  // namespace nutshell::exercises
-
-#ifndef NUTSHELL_SHEET
-
-namespace nutshell::mistakes {
-
-template <class Flat, class Rate>
-Flat rk4_last_rate_half_way(const Flat& y, const Rate& flow, double t, double dt) {
-    const Flat k1 = flow(y, t), k2 = flow(Flat(y + dt / 2 * k1), t + dt / 2),
-               k3 = flow(Flat(y + dt / 2 * k2), t + dt / 2),
-               k4 = flow(Flat(y + dt / 2 * k3), t + dt / 2);
-    return y + dt / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
-}
-template <class Flat, class Rate>
-Flat rk4_equal_weights(const Flat& y, const Rate& flow, double t, double dt) {
-    const Flat k1 = flow(y, t), k2 = flow(Flat(y + dt / 2 * k1), t + dt / 2),
-               k3 = flow(Flat(y + dt / 2 * k2), t + dt / 2), k4 = flow(Flat(y + dt * k3), t + dt);
-    return y + dt / 4 * (k1 + k2 + k3 + k4);
-}
-template <class Flat, class Rate>
-Flat rk4_third_from_the_first(const Flat& y, const Rate& flow, double t, double dt) {
-    const Flat k1 = flow(y, t), k2 = flow(Flat(y + dt / 2 * k1), t + dt / 2),
-               k3 = flow(Flat(y + dt / 2 * k1), t + dt / 2), k4 = flow(Flat(y + dt * k3), t + dt);
-    return y + dt / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
-}
-template <class Flat, class Rate>
-Flat rk4_time_stands_still(const Flat& y, const Rate& flow, double t, double dt) {
-    const Flat k1 = flow(y, t), k2 = flow(Flat(y + dt / 2 * k1), t),
-               k3 = flow(Flat(y + dt / 2 * k2), t), k4 = flow(Flat(y + dt * k3), t);
-    return y + dt / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
-}
-template <class Flat, class Rate>
-Flat rk4_is_euler(const Flat& y, const Rate& flow, double t, double dt) {
-    return y + dt * flow(y, t);
-}
-template <class Flat, class Rate>
-Flat rk4_is_midpoint(const Flat& y, const Rate& flow, double t, double dt) {
-    return explicit_midpoint(y, flow, t, dt);
-}
-template <class Flat, class Rate>
-Flat rk4_forgets_a_sixth(const Flat& y, const Rate& flow, double t, double dt) {
-    const Flat k1 = flow(y, t), k2 = flow(Flat(y + dt / 2 * k1), t + dt / 2),
-               k3 = flow(Flat(y + dt / 2 * k2), t + dt / 2), k4 = flow(Flat(y + dt * k3), t + dt);
-    return y + dt * (k1 + 2 * k2 + 2 * k3 + k4);
-}
-
-}  // namespace nutshell::mistakes
-
-namespace nutshell::alternatives {
-
-template <class Flat, class Rate>
-Flat rk4_by_increments(const Flat& y, const Rate& flow, double t, double dt) {
-    const Flat a = dt * flow(y, t), b = dt * flow(Flat(y + a / 2), t + dt / 2),
-               c = dt * flow(Flat(y + b / 2), t + dt / 2), d = dt * flow(Flat(y + c), t + dt);
-    return y + (a + d) / 6 + (b + c) / 3;
-}
-
-}  // namespace nutshell::alternatives
-
-namespace nutshell::exercises {
-
-inline Exercise RungeKutta4::about() {
-    return {
-        .title = "A step of RK4",
-        .hints =
-            {"Four looks at the rate: one at the start, two in the middle, one at the end. Each "
-             "look stands where the one before it pointed.",
-             "The second look goes half a step along the first rate, the third half a step along "
-             "the second, the fourth a whole step along the third. Each at its own time.",
-             "The mean of the four rates: the two in the middle count twice, the outer ones "
-             "once. What must the sum be divided by?"},
-        .order = 4,
-        .mistakes =
-            {{"the fourth look half way", "classic",
-              "It is no better than the midpoint rule, at twice the cost.",
-              "The fourth rate is that of the end: a whole step along the third, at t + dt.",
-              attempt<RungeKutta4>(NUTSHELL_CALL(mistakes::rk4_last_rate_half_way))},
-             {"equal weights", "classic",
-              "Halving the step halves the error only, or quarters it; never a sixteenth.",
-              "You give all four rates the same weight. The two in the middle count twice, and "
-              "the sum is divided by six.",
-              attempt<RungeKutta4>(NUTSHELL_CALL(mistakes::rk4_equal_weights))},
-             {"the third look repeats the second", "classic: copy and paste",
-              "The order drops to two or three.",
-              "k3 is found by going along k2, not along k1 again. That correction is what the "
-              "third look is for.",
-              attempt<RungeKutta4>(NUTSHELL_CALL(mistakes::rk4_third_from_the_first))},
-             {"time stands still", "classic",
-              "Forces that change with time act late; all is well where they do not.",
-              "The looks in the middle are at t + dt/2, the last is at t + dt. You ask for all "
-              "at t.",
-              attempt<RungeKutta4>(NUTSHELL_CALL(mistakes::rk4_time_stands_still))},
-             {"Euler's step", "classic", "Everything drifts off as in chapter 1.",
-              "You look once, at the start. That is Euler's method.",
-              attempt<RungeKutta4>(NUTSHELL_CALL(mistakes::rk4_is_euler))},
-             {"the midpoint rule", "classic: RK2",
-              "The error falls to a quarter when the step is halved, not to a sixteenth.",
-              "Two looks make the midpoint rule, of second order. RK4 looks four times.",
-              attempt<RungeKutta4>(NUTSHELL_CALL(mistakes::rk4_is_midpoint))},
-             {"no division by six", "classic", "Everything moves six times too far.",
-              "The weights 1, 2, 2, 1 add up to six: divide by it.",
-              attempt<RungeKutta4>(NUTSHELL_CALL(mistakes::rk4_forgets_a_sixth))}},
-        .alternatives = {{"by increments",
-                          attempt<RungeKutta4>(NUTSHELL_CALL(alternatives::rk4_by_increments))}},
-    };
-}
-
-}  // namespace nutshell::exercises
-
-#endif

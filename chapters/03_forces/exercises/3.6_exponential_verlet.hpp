@@ -27,150 +27,116 @@ struct ExponentialVerletStep {
         paper.run("the position at the end [m]", body.position, exact, start.position,
                   start.velocity);
     }
+
 #ifndef NUTSHELL_SHEET
-    static Exercise about();
+    static About<ExponentialVerletStep> about() {
+        return {
+            .title = "Verlet with drag",
+            .hints =
+                {"Verlet's half kicks are right for forces of the place. The drag is not one; "
+                 "give it its own exact step, the decay, and take that out of the kicks.",
+                 "What makes Verlet second order is that it reads the same backwards. Where can "
+                 "the decay stand so that the new step does too?",
+                 "Half the decay, a Verlet step of the force at rest, half the decay. Half the "
+                 "decay is e to the minus gamma dt/(2 m)."},
+            .order = 2,
+            .picture = "damped_spring.png",
+            .mistakes =
+                {{"drag inside the kicks", "curriculum: naive Verlet",
+                  "The swing runs ahead or behind; half the step halves the error only.",
+                  "This is plain Verlet with the drag in its force. Its second half-kick sees "
+                  "the velocity before that kick, so it drops to first order.",
+                  [](auto state, const auto& forces, double t, double dt) {
+                      return verlet(state, forces, t, dt);
+                  }},
+                 {"all the drag at the start", "classic", "Half the step halves the error only.",
+                  "The whole decay stands at the start, so the step does not read the same "
+                  "backwards. Take half before and half after.",
+                  [](auto state, const auto& forces, double t, double dt) {
+                      state.velocity *= std::exp(-forces.drag * dt / state.mass);
+                      kick(state, force_at_rest(state, forces, t), dt / 2);
+                      drift(state, dt);
+                      kick(state, force_at_rest(state, forces, t + dt), dt / 2);
+                      return state;
+                  }},
+                 {"all the drag at the end", "classic", "Half the step halves the error only.",
+                  "The whole decay stands at the end, so the step does not read the same "
+                  "backwards. Take half before and half after.",
+                  [](auto state, const auto& forces, double t, double dt) {
+                      kick(state, force_at_rest(state, forces, t), dt / 2);
+                      drift(state, dt);
+                      kick(state, force_at_rest(state, forces, t + dt), dt / 2);
+                      state.velocity *= std::exp(-forces.drag * dt / state.mass);
+                      return state;
+                  }},
+                 {"a whole decay at both ends", "classic",
+                  "The drag is twice as strong as it should be.",
+                  "You let the velocity decay by a whole step twice. Each end gets half: dt/2 in "
+                  "the exponent.",
+                  [](auto state, const auto& forces, double t, double dt) {
+                      const double decay = std::exp(-forces.drag * dt / state.mass);
+                      state.velocity *= decay;
+                      kick(state, force_at_rest(state, forces, t), dt / 2);
+                      drift(state, dt);
+                      kick(state, force_at_rest(state, forces, t + dt), dt / 2);
+                      state.velocity *= decay;
+                      return state;
+                  }},
+                 {"decay and drag in the kick", "classic",
+                  "The drag is twice as strong as it should be, and the error falls at first "
+                  "order.",
+                  "The force you kick with still has the drag in it. Use force_at_rest.",
+                  [](auto state, const auto& forces, double t, double dt) {
+                      const double half_decay = std::exp(-forces.drag * dt / 2 / state.mass);
+                      state.velocity *= half_decay;
+                      state = verlet(state, forces, t, dt);
+                      state.velocity *= half_decay;
+                      return state;
+                  }},
+                 {"drag without the mass", "classic",
+                  "Heavy things are braked as much as light ones.",
+                  "The exponent is gamma dt over twice the mass.",
+                  [](auto state, const auto& forces, double t, double dt) {
+                      const double half_decay = std::exp(-forces.drag * dt / 2);
+                      state.velocity *= half_decay;
+                      kick(state, force_at_rest(state, forces, t), dt / 2);
+                      drift(state, dt);
+                      kick(state, force_at_rest(state, forces, t + dt), dt / 2);
+                      state.velocity *= half_decay;
+                      return state;
+                  }},
+                 {"the force of the start, twice", "classic: a stale force",
+                  "The swing gains energy.",
+                  "The second half-kick belongs to the new place and time: ask for the force "
+                  "again.",
+                  [](auto state, const auto& forces, double t, double dt) {
+                      const double half_decay = std::exp(-forces.drag * dt / 2 / state.mass);
+                      state.velocity *= half_decay;
+                      const Vector3 force = force_at_rest(state, forces, t);
+                      kick(state, force, dt / 2);
+                      drift(state, dt);
+                      kick(state, force, dt / 2);
+                      state.velocity *= half_decay;
+                      return state;
+                  }}},
+            .alternatives = {{"Verlet of the force at rest",
+                              []<class State, class Forces>(State state, const Forces& forces,
+                                                            double t, double dt) {
+                                  const auto still = [&](const State& at, double time) {
+                                      return force_at_rest(at, forces, time);
+                                  };
+                                  state.velocity *=
+                                      std::exp(-forces.drag * dt / (2 * state.mass));
+                                  state = verlet(state, still, t, dt);
+                                  state.velocity *=
+                                      std::exp(-forces.drag * dt / (2 * state.mass));
+                                  return state;
+                              }}},
+        };
+    }
 #endif
 };
 
 inline const bool exponential_verlet_entered = enter<ExponentialVerletStep>();
 
 }  // namespace nutshell::exercises
-
-#ifndef NUTSHELL_SHEET
-
-namespace nutshell::mistakes {
-
-template <class State, class Forces>
-State verlet_with_drag_in_the_kick(State state, const Forces& forces, double t, double dt) {
-    return verlet(state, forces, t, dt);
-}
-template <class State, class Forces>
-State verlet_with_all_drag_first(State state, const Forces& forces, double t, double dt) {
-    state.velocity *= std::exp(-forces.drag * dt / state.mass);
-    kick(state, force_at_rest(state, forces, t), dt / 2);
-    drift(state, dt);
-    kick(state, force_at_rest(state, forces, t + dt), dt / 2);
-    return state;
-}
-template <class State, class Forces>
-State verlet_with_all_drag_last(State state, const Forces& forces, double t, double dt) {
-    kick(state, force_at_rest(state, forces, t), dt / 2);
-    drift(state, dt);
-    kick(state, force_at_rest(state, forces, t + dt), dt / 2);
-    state.velocity *= std::exp(-forces.drag * dt / state.mass);
-    return state;
-}
-template <class State, class Forces>
-State verlet_with_whole_drags(State state, const Forces& forces, double t, double dt) {
-    const double decay = std::exp(-forces.drag * dt / state.mass);
-    state.velocity *= decay;
-    kick(state, force_at_rest(state, forces, t), dt / 2);
-    drift(state, dt);
-    kick(state, force_at_rest(state, forces, t + dt), dt / 2);
-    state.velocity *= decay;
-    return state;
-}
-template <class State, class Forces>
-State verlet_with_drag_twice(State state, const Forces& forces, double t, double dt) {
-    const double half_decay = std::exp(-forces.drag * dt / 2 / state.mass);
-    state.velocity *= half_decay;
-    state = verlet(state, forces, t, dt);
-    state.velocity *= half_decay;
-    return state;
-}
-template <class State, class Forces>
-State verlet_with_drag_without_mass(State state, const Forces& forces, double t, double dt) {
-    const double half_decay = std::exp(-forces.drag * dt / 2);
-    state.velocity *= half_decay;
-    kick(state, force_at_rest(state, forces, t), dt / 2);
-    drift(state, dt);
-    kick(state, force_at_rest(state, forces, t + dt), dt / 2);
-    state.velocity *= half_decay;
-    return state;
-}
-template <class State, class Forces>
-State verlet_with_the_old_force_twice(State state, const Forces& forces, double t, double dt) {
-    const double half_decay = std::exp(-forces.drag * dt / 2 / state.mass);
-    state.velocity *= half_decay;
-    const Vector3 force = force_at_rest(state, forces, t);
-    kick(state, force, dt / 2);
-    drift(state, dt);
-    kick(state, force, dt / 2);
-    state.velocity *= half_decay;
-    return state;
-}
-
-}  // namespace nutshell::mistakes
-
-namespace nutshell::alternatives {
-
-template <class State, class Forces>
-State verlet_of_the_force_at_rest(State state, const Forces& forces, double t, double dt) {
-    const auto still = [&](const State& at, double time) {
-        return force_at_rest(at, forces, time);
-    };
-    state.velocity *= std::exp(-forces.drag * dt / (2 * state.mass));
-    state = verlet(state, still, t, dt);
-    state.velocity *= std::exp(-forces.drag * dt / (2 * state.mass));
-    return state;
-}
-
-}  // namespace nutshell::alternatives
-
-namespace nutshell::exercises {
-
-inline Exercise ExponentialVerletStep::about() {
-    return {
-        .title = "Verlet with drag",
-        .hints = {"Verlet's half kicks are right for forces of the place. The drag is not one; "
-                  "give it its own exact step, the decay, and take that out of the kicks.",
-                  "What makes Verlet second order is that it reads the same backwards. Where can "
-                  "the decay stand so that the new step does too?",
-                  "Half the decay, a Verlet step of the force at rest, half the decay. Half the "
-                  "decay is e to the minus gamma dt/(2 m)."},
-        .order = 2,
-        .picture = "damped_spring.png",
-        .mistakes =
-            {{"drag inside the kicks", "curriculum: naive Verlet",
-              "The swing runs ahead or behind; half the step halves the error only.",
-              "This is plain Verlet with the drag in its force. Its second half-kick sees the "
-              "velocity before that kick, so it drops to first order.",
-              attempt<ExponentialVerletStep>(
-                  NUTSHELL_CALL(mistakes::verlet_with_drag_in_the_kick))},
-             {"all the drag at the start", "classic", "Half the step halves the error only.",
-              "The whole decay stands at the start, so the step does not read the same "
-              "backwards. Take half before and half after.",
-              attempt<ExponentialVerletStep>(
-                  NUTSHELL_CALL(mistakes::verlet_with_all_drag_first))},
-             {"all the drag at the end", "classic", "Half the step halves the error only.",
-              "The whole decay stands at the end, so the step does not read the same backwards. "
-              "Take half before and half after.",
-              attempt<ExponentialVerletStep>(NUTSHELL_CALL(mistakes::verlet_with_all_drag_last))},
-             {"a whole decay at both ends", "classic",
-              "The drag is twice as strong as it should be.",
-              "You let the velocity decay by a whole step twice. Each end gets half: dt/2 in the "
-              "exponent.",
-              attempt<ExponentialVerletStep>(NUTSHELL_CALL(mistakes::verlet_with_whole_drags))},
-             {"decay and drag in the kick", "classic",
-              "The drag is twice as strong as it should be, and the error falls at first order.",
-              "The force you kick with still has the drag in it. Use force_at_rest.",
-              attempt<ExponentialVerletStep>(NUTSHELL_CALL(mistakes::verlet_with_drag_twice))},
-             {"drag without the mass", "classic",
-              "Heavy things are braked as much as light ones.",
-              "The exponent is gamma dt over twice the mass.",
-              attempt<ExponentialVerletStep>(
-                  NUTSHELL_CALL(mistakes::verlet_with_drag_without_mass))},
-             {"the force of the start, twice", "classic: a stale force",
-              "The swing gains energy.",
-              "The second half-kick belongs to the new place and time: ask for the force again.",
-              attempt<ExponentialVerletStep>(
-                  NUTSHELL_CALL(mistakes::verlet_with_the_old_force_twice))}},
-        .alternatives = {{"Verlet of the force at rest",
-                          attempt<ExponentialVerletStep>(
-                              NUTSHELL_CALL(alternatives::verlet_of_the_force_at_rest))}},
-    };
-}
-
-}  // namespace nutshell::exercises
-
-#endif

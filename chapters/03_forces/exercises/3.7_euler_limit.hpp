@@ -29,98 +29,70 @@ struct EulerLimit {
 
   public:
 #ifndef NUTSHELL_SHEET
-    static Exercise about();
+    static About<EulerLimit> about() {
+        return {
+            .title = "Euler's limit",
+            .hints = {"Euler multiplies each rate's part by 1 + lambda dt every step. Stable "
+                      "means that no part grows. Which two rates has the damped spring?",
+                      "lambda = -g/2 plus or minus the root of g^2/4 - omega^2. Where the root "
+                      "is imaginary, ask when |1 + lambda dt| reaches one; where it is real, ask "
+                      "when the faster rate times dt reaches minus two.",
+                      "Underdamped: |1 + lambda dt|^2 = 1 - g dt + omega^2 dt^2. Overdamped: the "
+                      "faster rate is -(g + root of (g^2 - 4 omega^2))/2, and it must not pass "
+                      "-2/dt."},
+            .picture = "regions.svg",
+            .mistakes =
+                {{"the limit of drag alone", "classic",
+                  "The spring explodes although the drag alone would be stable.",
+                  "You took the limit of the drag without the spring. The spring's rate enters "
+                  "too.",
+                  [](double, double g) -> double { return 2 / g; }},
+                 {"the swinging case only", "classic", "A strongly damped spring explodes.",
+                  "g/omega^2 holds while the spring swings. Where it creeps, the faster of the "
+                  "two real rates decides, and its limit is smaller.",
+                  [](double omega, double g) -> double { return g / (omega * omega); }},
+                 {"Verlet's limit", "E04's claim", "A lightly damped spring explodes at once.",
+                  "2/omega is the limit of Verlet and of semi-implicit Euler. Euler's is "
+                  "g/omega^2: without drag it has none but zero.",
+                  [](double omega, double) -> double { return 2 / omega; }},
+                 {"the slow rate", "classic: the wrong root",
+                  "A strongly damped spring explodes.",
+                  "You took the slower of the two rates. The faster one breaks first: plus "
+                  "before the root.",
+                  [](double omega, double g) -> double {
+                      if (g * g < 4 * omega * omega) return g / (omega * omega);
+                      return 4 / (g - std::sqrt(g * g - 4 * omega * omega));
+                  }},
+                 {"a factor of two", "classic",
+                  "The step is twice the stable one, and a lightly damped spring explodes.",
+                  "|1 + lambda dt|^2 = 1 - g dt + omega^2 dt^2 is one at dt = g/omega^2.",
+                  [](double omega, double g) -> double {
+                      if (g * g < 4 * omega * omega) return 2 * g / (omega * omega);
+                      return 4 / (g + std::sqrt(g * g - 4 * omega * omega));
+                  }},
+                 {"1 instead of 2", "classic", "Stable, at twice the cost.",
+                  "Beyond 1/rate Euler overshoots but comes back. It is unstable only beyond "
+                  "2/rate.",
+                  [](double omega, double g) -> double {
+                      if (g * g < 4 * omega * omega) return g / (omega * omega);
+                      return 2 / (g + std::sqrt(g * g - 4 * omega * omega));
+                  }}},
+            .alternatives = {{"by the rates",
+                              [](double omega, double g) -> double {
+                                  // both |1 + lambda dt| < 1:  dt < -2 Re(lambda)/|lambda|^2
+                                  const auto rates = spring_rates(omega, g);
+                                  double least = std::numeric_limits<double>::infinity();
+                                  for (const Complex& rate : rates)
+                                      if (std::norm(rate) > 0)
+                                          least =
+                                              std::min(least, -2 * rate.real() / std::norm(rate));
+                                  return std::max(0.0, least);
+                              }}},
+        };
+    }
 #endif
 };
 
 inline const bool euler_limit_entered = enter<EulerLimit>();
 
 }  // namespace nutshell::exercises
-
-#ifndef NUTSHELL_SHEET
-
-namespace nutshell::mistakes {
-
-inline double euler_limit_of_drag_alone(double, double g) {
-    return 2 / g;
-}
-inline double euler_limit_of_the_swing_only(double omega, double g) {
-    return g / (omega * omega);
-}
-inline double euler_limit_of_verlet(double omega, double) {
-    return 2 / omega;
-}
-inline double euler_limit_of_the_slow_rate(double omega, double g) {
-    if (g * g < 4 * omega * omega) return g / (omega * omega);
-    return 4 / (g - std::sqrt(g * g - 4 * omega * omega));
-}
-inline double euler_limit_doubled(double omega, double g) {
-    if (g * g < 4 * omega * omega) return 2 * g / (omega * omega);
-    return 4 / (g + std::sqrt(g * g - 4 * omega * omega));
-}
-inline double euler_limit_half(double omega, double g) {
-    if (g * g < 4 * omega * omega) return g / (omega * omega);
-    return 2 / (g + std::sqrt(g * g - 4 * omega * omega));
-}
-
-}  // namespace nutshell::mistakes
-
-namespace nutshell::alternatives {
-
-inline double euler_limit_by_rates(double omega, double g) {
-    // both |1 + lambda dt| < 1:  dt < -2 Re(lambda)/|lambda|^2
-    const auto rates = spring_rates(omega, g);
-    double least = std::numeric_limits<double>::infinity();
-    for (const Complex& rate : rates)
-        if (std::norm(rate) > 0) least = std::min(least, -2 * rate.real() / std::norm(rate));
-    return std::max(0.0, least);
-}
-
-}  // namespace nutshell::alternatives
-
-namespace nutshell::exercises {
-
-inline Exercise EulerLimit::about() {
-    return {
-        .title = "Euler's limit",
-        .hints =
-            {"Euler multiplies each rate's part by 1 + lambda dt every step. Stable means that "
-             "no part grows. Which two rates has the damped spring?",
-             "lambda = -g/2 plus or minus the root of g^2/4 - omega^2. Where the root is "
-             "imaginary, ask when |1 + lambda dt| reaches one; where it is real, ask when the "
-             "faster rate times dt reaches minus two.",
-             "Underdamped: |1 + lambda dt|^2 = 1 - g dt + omega^2 dt^2. Overdamped: the faster "
-             "rate is -(g + root of (g^2 - 4 omega^2))/2, and it must not pass -2/dt."},
-        .picture = "regions.svg",
-        .mistakes =
-            {{"the limit of drag alone", "classic",
-              "The spring explodes although the drag alone would be stable.",
-              "You took the limit of the drag without the spring. The spring's rate enters too.",
-              attempt<EulerLimit>(NUTSHELL_CALL(mistakes::euler_limit_of_drag_alone))},
-             {"the swinging case only", "classic", "A strongly damped spring explodes.",
-              "g/omega^2 holds while the spring swings. Where it creeps, the faster of the two "
-              "real rates decides, and its limit is smaller.",
-              attempt<EulerLimit>(NUTSHELL_CALL(mistakes::euler_limit_of_the_swing_only))},
-             {"Verlet's limit", "E04's claim", "A lightly damped spring explodes at once.",
-              "2/omega is the limit of Verlet and of semi-implicit Euler. Euler's is g/omega^2: "
-              "without drag it has none but zero.",
-              attempt<EulerLimit>(NUTSHELL_CALL(mistakes::euler_limit_of_verlet))},
-             {"the slow rate", "classic: the wrong root", "A strongly damped spring explodes.",
-              "You took the slower of the two rates. The faster one breaks first: plus before "
-              "the root.",
-              attempt<EulerLimit>(NUTSHELL_CALL(mistakes::euler_limit_of_the_slow_rate))},
-             {"a factor of two", "classic",
-              "The step is twice the stable one, and a lightly damped spring explodes.",
-              "|1 + lambda dt|^2 = 1 - g dt + omega^2 dt^2 is one at dt = g/omega^2.",
-              attempt<EulerLimit>(NUTSHELL_CALL(mistakes::euler_limit_doubled))},
-             {"1 instead of 2", "classic", "Stable, at twice the cost.",
-              "Beyond 1/rate Euler overshoots but comes back. It is unstable only beyond 2/rate.",
-              attempt<EulerLimit>(NUTSHELL_CALL(mistakes::euler_limit_half))}},
-        .alternatives = {{"by the rates", attempt<EulerLimit>(NUTSHELL_CALL(
-                                              alternatives::euler_limit_by_rates))}},
-    };
-}
-
-}  // namespace nutshell::exercises
-
-#endif

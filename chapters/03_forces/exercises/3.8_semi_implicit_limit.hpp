@@ -5,6 +5,12 @@
 
 namespace nutshell::exercises {
 
+#ifndef NUTSHELL_SHEET
+inline double limit_dividing_by_zero(double omega, double g) {
+    return (-g + std::sqrt(g * g + 4 * omega * omega)) / (omega * omega);
+}
+#endif
+
 struct SemiImplicitLimit {
     static constexpr const char *id = "3.8", *function = "semi_implicit_limit";
     static constexpr auto subject = NUTSHELL_CALL(semi_implicit_limit);
@@ -24,109 +30,81 @@ struct SemiImplicitLimit {
             paper.output("the largest stable step [s]", limit, 1 / (omega + g));
         }
     }
+
 #ifndef NUTSHELL_SHEET
-    static Exercise about();
+    static About<SemiImplicitLimit> about() {
+        return {
+            .title = "Semi-implicit Euler's limit",
+            .hints = {"Write one step as a two by two matrix on x and v. Its determinant and its "
+                      "trace say whether anything grows.",
+                      "With theta = omega dt and G = g dt the determinant is 1 - G and the trace "
+                      "2 - G - theta^2. It is stable while |trace| stays below 1 + determinant.",
+                      "The condition is theta^2 + 2 G = 4: a quadratic in dt. Write its positive "
+                      "root so that neither g = 0 nor omega = 0 is a division by zero."},
+            .picture = "regions_spring.svg",
+            .mistakes = {{"the drag left out", "classic",
+                          "A damped spring explodes at a step that was safe without damping.",
+                          "2/omega is the limit without drag. Drag in the kick makes it smaller.",
+                          [](double omega, double) -> double { return 2 / omega; }},
+                         {"implicit drag", "classic: the sign of g", "A damped spring explodes.",
+                          "With a plus you have the limit for implicit drag, v/(1 + g dt), which "
+                          "grows with g. With the drag in the kick it shrinks.",
+                          [](double omega, double g) -> double {
+                              return (g + std::sqrt(g * g + 4 * omega * omega)) / (omega * omega);
+                          }},
+                         {"the limit of drag alone", "classic", "A stiff spring explodes.",
+                          "2/g is the limit without spring. Both enter.",
+                          [](double, double g) -> double { return 2 / g; }},
+                         {"no spring is a division by zero", "classic",
+                          "Where there is only drag, the step becomes NaN.",
+                          "The formula is right, but for omega = 0 it is zero over zero, and "
+                          "near it loses its digits. Multiply above and below by the same sum.",
+                          [](double omega, double g) -> double {
+                              return (-g + std::sqrt(g * g + 4 * omega * omega)) /
+                                     (omega * omega);
+                          }},
+                         {"the digits cancel", "classic: a difference of neighbours",
+                          "With much drag and a weak spring the step is noise, or zero.",
+                          "The formula is right, and no spring at all is looked after. But for a "
+                          "weak one the root is nearly g, and the difference loses its digits. "
+                          "Multiply above and below by the same sum.",
+                          [](double omega, double g) -> double {
+                              return omega == 0 ? 2 / g : limit_dividing_by_zero(omega, g);
+                          }},
+                         {"Euler's limit", "classic",
+                          "The step is far smaller than it need be, or zero without drag.",
+                          "This is Euler's limit. Semi-implicit Euler kicks first, and its "
+                          "matrix is another.",
+                          [](double omega, double g) -> double {
+                              if (g * g < 4 * omega * omega) return g / (omega * omega);
+                              return 4 / (g + std::sqrt(g * g - 4 * omega * omega));
+                          }},
+                         {"half the limit", "classic: a lost factor",
+                          "Stable, at twice the cost.",
+                          "At theta^2 + 2 G = 4 the root gives 4 over the sum, not 2.",
+                          [](double omega, double g) -> double {
+                              return 2 / (g + std::sqrt(g * g + 4 * omega * omega));
+                          }}},
+            .alternatives =
+                {{"by bisection",
+                  [](double omega, double g) -> double {
+                      double
+                          low = 0,
+                          high =
+                              4 /
+                              (omega +
+                               g);  // trace and determinant of one step: stable while omega^2 dt^2 + 2 g dt < 4
+                      for (int turn = 0; turn < 200; ++turn) {
+                          const double dt = (low + high) / 2;
+                          (omega * omega * dt * dt + 2 * g * dt < 4 ? low : high) = dt;
+                      }
+                      return low;
+                  }}},
+        };
+    }
 #endif
 };
 
 inline const bool semi_implicit_limit_entered = enter<SemiImplicitLimit>();
 
 }  // namespace nutshell::exercises
-
-#ifndef NUTSHELL_SHEET
-
-namespace nutshell::mistakes {
-
-inline double limit_without_drag(double omega, double) {
-    return 2 / omega;
-}
-inline double limit_with_implicit_drag(double omega, double g) {
-    return (g + std::sqrt(g * g + 4 * omega * omega)) / (omega * omega);
-}
-inline double limit_of_drag_only(double, double g) {
-    return 2 / g;
-}
-inline double limit_dividing_by_zero(double omega, double g) {
-    return (-g + std::sqrt(g * g + 4 * omega * omega)) / (omega * omega);
-}
-inline double limit_that_cancels(double omega, double g) {
-    return omega == 0 ? 2 / g : limit_dividing_by_zero(omega, g);
-}
-inline double limit_of_eulers_rates(double omega, double g) {
-    if (g * g < 4 * omega * omega) return g / (omega * omega);
-    return 4 / (g + std::sqrt(g * g - 4 * omega * omega));
-}
-inline double limit_halved(double omega, double g) {
-    return 2 / (g + std::sqrt(g * g + 4 * omega * omega));
-}
-
-}  // namespace nutshell::mistakes
-
-namespace nutshell::alternatives {
-
-inline double limit_by_bisection(double omega, double g) {
-    double low = 0,
-           high =
-               4 /
-               (omega +
-                g);  // trace and determinant of one step: stable while omega^2 dt^2 + 2 g dt < 4
-    for (int turn = 0; turn < 200; ++turn) {
-        const double dt = (low + high) / 2;
-        (omega * omega * dt * dt + 2 * g * dt < 4 ? low : high) = dt;
-    }
-    return low;
-}
-
-}  // namespace nutshell::alternatives
-
-namespace nutshell::exercises {
-
-inline Exercise SemiImplicitLimit::about() {
-    return {
-        .title = "Semi-implicit Euler's limit",
-        .hints = {"Write one step as a two by two matrix on x and v. Its determinant and its "
-                  "trace say whether anything grows.",
-                  "With theta = omega dt and G = g dt the determinant is 1 - G and the trace 2 - "
-                  "G - theta^2. It is stable while |trace| stays below 1 + determinant.",
-                  "The condition is theta^2 + 2 G = 4: a quadratic in dt. Write its positive "
-                  "root so that neither g = 0 nor omega = 0 is a division by zero."},
-        .picture = "regions_spring.svg",
-        .mistakes =
-            {{"the drag left out", "classic",
-              "A damped spring explodes at a step that was safe without damping.",
-              "2/omega is the limit without drag. Drag in the kick makes it smaller.",
-              attempt<SemiImplicitLimit>(NUTSHELL_CALL(mistakes::limit_without_drag))},
-             {"implicit drag", "classic: the sign of g", "A damped spring explodes.",
-              "With a plus you have the limit for implicit drag, v/(1 + g dt), which grows with "
-              "g. With the drag in the kick it shrinks.",
-              attempt<SemiImplicitLimit>(NUTSHELL_CALL(mistakes::limit_with_implicit_drag))},
-             {"the limit of drag alone", "classic", "A stiff spring explodes.",
-              "2/g is the limit without spring. Both enter.",
-              attempt<SemiImplicitLimit>(NUTSHELL_CALL(mistakes::limit_of_drag_only))},
-             {"no spring is a division by zero", "classic",
-              "Where there is only drag, the step becomes NaN.",
-              "The formula is right, but for omega = 0 it is zero over zero, and near it loses "
-              "its digits. Multiply above and below by the same sum.",
-              attempt<SemiImplicitLimit>(NUTSHELL_CALL(mistakes::limit_dividing_by_zero))},
-             {"the digits cancel", "classic: a difference of neighbours",
-              "With much drag and a weak spring the step is noise, or zero.",
-              "The formula is right, and no spring at all is looked after. But for a weak one "
-              "the root is nearly g, and the difference loses its digits. Multiply above and "
-              "below by the same sum.",
-              attempt<SemiImplicitLimit>(NUTSHELL_CALL(mistakes::limit_that_cancels))},
-             {"Euler's limit", "classic",
-              "The step is far smaller than it need be, or zero without drag.",
-              "This is Euler's limit. Semi-implicit Euler kicks first, and its matrix is "
-              "another.",
-              attempt<SemiImplicitLimit>(NUTSHELL_CALL(mistakes::limit_of_eulers_rates))},
-             {"half the limit", "classic: a lost factor", "Stable, at twice the cost.",
-              "At theta^2 + 2 G = 4 the root gives 4 over the sum, not 2.",
-              attempt<SemiImplicitLimit>(NUTSHELL_CALL(mistakes::limit_halved))}},
-        .alternatives = {{"by bisection", attempt<SemiImplicitLimit>(
-                                              NUTSHELL_CALL(alternatives::limit_by_bisection))}},
-    };
-}
-
-}  // namespace nutshell::exercises
-
-#endif

@@ -33,10 +33,10 @@ void ask_dragged_step(Paper& paper, const Answer& answer) {
                     "with the velocity", body.velocity, "drag", drag, "dt", dt);
         const PointMass moved = answer(body, forces, t, dt);
         const Vector3 gain = forces(body, t) / body.mass * dt;
-        paper.output("the position [m]", moved.position, body.position, body.velocity * dt,
-                     gain * dt);
-        paper.output("the velocity [m/s]", moved.velocity, body.velocity, gain);
-        paper.output("the mass [kg]", moved.mass, body.mass);
+        paper.changed("the position [m]", moved.position, body.position, body.velocity * dt,
+                      gain * dt);
+        paper.changed("the velocity [m/s]", moved.velocity, body.velocity, gain);
+        paper.changed("the mass [kg]", moved.mass, body.mass);
     }
 }
 

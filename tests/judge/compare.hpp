@@ -1,0 +1,29 @@
+// Numbers of an answer beside those of the truth.
+#pragma once
+#include <string>
+#include <vector>
+#include "record.hpp"
+
+namespace nutshell::judge {
+
+using Values = std::vector<double>;
+
+/// An answer passes when every output is within this of the reference, relative to the largest term that
+/// enters it.
+inline constexpr double tolerance = 1e-9;
+/// Mistakes of one exercise must differ by this from the truth and from each other.
+inline constexpr double telling = 1e-4;
+
+/// How far `yours` is from `right`, in units of the output's scale; infinite if one is not finite where the
+/// other is, or if there are not as many.
+double apart(const exercises::Output& output, const Values& right, const Values& yours);
+/// The largest such difference of two records whose outputs are those of `reference`.
+double difference(const exercises::Record& reference, const exercises::Record& a, const exercises::Record& b);
+
+bool finite(const Values& values);
+double distance(const Values& a, const Values& b);  ///< Euclidean
+/// "1.25" or "(1, 2.5, -3)", with as many digits as tell them apart from `other`.
+std::string shown(const Values& values, const Values& other = {});
+std::string digits(double value, const char* format = "%.9g");
+
+}  // namespace nutshell::judge

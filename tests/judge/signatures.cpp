@@ -1,0 +1,296 @@
+#include "signatures.hpp"
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <set>
+#include "text.hpp"
+
+namespace nutshell::judge {
+
+using exercises::Input;
+using exercises::Output;
+
+namespace {
+
+/// All answers of the first name that is wrong, runs left out: their places.
+std::vector<std::size_t> of_first_wrong_name(const Evidence& evidence) {
+    const auto& outputs = evidence.reference.outputs;
+    std::string name;
+    for (const std::size_t i : evidence.wrong)
+        if (name.empty() && outputs[i].exact.empty()) name = outputs[i].name;
+    std::vector<std::size_t> places;
+    for (std::size_t i = 0; i < outputs.size(); ++i)
+        if (outputs[i].name == name) places.push_back(i);
+    return places;
+}
+
+/// The number c with yours = c * right for all numbers of one output; nothing if there is none.
+std::optional<double> factor(const Values& yours, const Values& right, double scale) {
+    double up = 0, down = 0;
+    for (std::size_t k = 0; k < yours.size(); ++k) up += yours[k] * right[k], down += right[k] * right[k];
+    if (!(down > 0) || !std::isfinite(up)) return std::nullopt;
+    const double c = up / down;
+    for (std::size_t k = 0; k < yours.size(); ++k)
+        if (std::abs(yours[k] - c * right[k]) > 1e-8 * scale * std::max(1.0, std::abs(c)))
+            return std::nullopt;
+    return c;
+}
+bool near(double a, double b) {
+    return std::abs(a - b) < 1e-6 * std::abs(b);
+}
+
+/// What a factor that is the same for every input means.
+Finding meaning(double c, const std::string& what) {
+    const std::string comes = what + " comes out ";
+    constexpr double degrees = 180 / 3.14159265358979323846;
+    if (std::abs(c) < 1e-12) return {"always zero", {comes + "as zero whatever the input."}};
+    if (near(c, -1))
+        return {"wrong sign",
+                {comes + "with the wrong sign: the size is right, the direction is opposite. Is a difference "
+                         "taken the wrong way round?"}};
+    if (near(c, degrees))
+        return {"wrong unit", {comes + "180/pi times too large: degrees stand where radians belong."}};
+    if (near(c, 1 / degrees))
+        return {"wrong unit", {comes + "180/pi times too small: an angle is turned into radians twice."}};
+    for (const double unit : {1e3, 1e-3, 1e2, 1e-2, 60.0, 1 / 60.0, 3.6, 1 / 3.6, 1e6, 1e-6})
+        if (near(c, unit))
+            return {"wrong unit",
+                    {comes + digits(c, "%.4g") +
+                     " times what it should be: that looks like another unit (milli-, kilo-, minutes, "
+                     "km/h)."}};
+    if (near(c, 2))
+        return {"twice too much",
+                {comes + "twice as large as it should be: a half is lost, or something is counted twice."}};
+    if (near(c, 0.5))
+        return {"half of it",
+                {comes + "half as large as it should be: a half too many, or one of two parts is missing."}};
+    return {"wrong factor", {comes + digits(c, "%.6g") + " times what it should be, for every input alike."}};
+}
+
+struct Scaled {
+    std::size_t input;
+    double factor;
+};
+
+/// A factor that is a power of one of the arguments.
+std::optional<Finding> power_of_argument(const Evidence& evidence, const std::vector<Scaled>& all,
+                                         const std::string& subject) {
+    const auto& inputs = evidence.reference.inputs;
+    for (const auto& [name, unused] : inputs[all.front().input].values)
+        for (const double power : {1.0, -1.0, 2.0, -2.0, 3.0, -3.0, 0.5, -0.5}) {
+            std::set<double> seen;
+            bool fits = true;
+            for (const auto& [input, c] : all) {
+                const auto& values = inputs[input].values;
+                const auto found = std::find_if(values.begin(), values.end(),
+                                                [&](const auto& value) { return value.first == name; });
+                fits = fits && found != values.end() && found->second.size() == 1 &&
+                       near(c, std::pow(found->second[0], power));
+                if (fits) seen.insert(found->second[0]);
+            }
+            if (!fits || seen.size() < 2) continue;
+            const std::string to = std::abs(power) == 1     ? ""
+                                   : std::abs(power) == 0.5 ? "^(1/2)"
+                                                            : "^" + digits(std::abs(power), "%.0f");
+            return {{"a wrong power of " + name,
+                     {subject + " is wrong by a factor of " + name + to + ": " + name + to + " is " +
+                      (power > 0 ? "multiplied in once too often, or left out below the line"
+                                 : "divided by once too often, or left out above it") +
+                      ". Check the units: metres, seconds, kilograms."}}};
+        }
+    return std::nullopt;
+}
+
+/// One factor behind all answers of a name: of the values, or of their change from where they start.
+std::optional<Finding> factor_of(const Evidence& evidence, const std::vector<std::size_t>& places,
+                                 bool of_change) {
+    std::vector<Scaled> all;
+    std::set<Values> truths;
+    for (const std::size_t i : places) {
+        const Output& output = evidence.reference.outputs[i];
+        Values yours = evidence.yours[i], right = output.values;
+        if (of_change && output.start.empty()) return std::nullopt;
+        for (std::size_t k = 0; of_change && k < right.size(); ++k)
+            yours[k] -= output.start[k], right[k] -= output.start[k];
+        const double none = 1e-12 * output.scale;
+        const auto zero = [&](double value) { return std::abs(value) <= none; };
+        if (std::all_of(right.begin(), right.end(), zero)) {
+            if (!std::all_of(yours.begin(), yours.end(), zero)) return std::nullopt;
+            continue;
+        }
+        const auto c = factor(yours, right, output.scale);
+        if (!c) return std::nullopt;
+        all.push_back({output.input, *c});
+        truths.insert(right);
+    }
+    if (all.empty() || (truths.size() < 2 && truths.begin()->size() < 2)) return std::nullopt;
+    const std::string name = without_unit(evidence.reference.outputs[places.front()].name),
+                      subject = of_change ? "The change of " + name : capital(name);
+    const double c = all.front().factor;
+    if (std::all_of(all.begin(), all.end(),
+                    [&](const Scaled& each) { return std::abs(each.factor - c) <= 1e-6 * std::abs(c); })) {
+        if (near(c, 1)) return std::nullopt;
+        return meaning(c, subject);
+    }
+    return power_of_argument(evidence, all, subject);
+}
+
+}  // namespace
+
+std::string without_unit(const std::string& name) {
+    return trimmed(name.substr(0, name.find('[')));
+}
+std::string capital(std::string text) {
+    if (!text.empty()) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+    return text;
+}
+
+std::optional<Finding> wrong_size(const Evidence& evidence) {
+    for (const std::size_t i : evidence.wrong) {
+        const auto& output = evidence.reference.outputs[i];
+        if (output.values.size() != evidence.yours[i].size())
+            return {
+                {"wrong size",
+                 {capital(without_unit(output.name)) + " has " + std::to_string(evidence.yours[i].size()) +
+                  " numbers; there should be " + std::to_string(output.values.size()) + "."},
+                 i}};
+    }
+    return std::nullopt;
+}
+
+std::optional<Finding> not_finite(const Evidence& evidence) {
+    const std::size_t first = evidence.wrong.front();
+    const Values& yours = evidence.yours[first];
+    const auto& output = evidence.reference.outputs[first];
+    if (finite(yours) || !finite(output.values)) return std::nullopt;
+    const bool nan = std::any_of(yours.begin(), yours.end(), [](double value) { return std::isnan(value); });
+    return {{nan ? "NaN" : "infinite",
+             {capital(without_unit(output.name)) + (nan ? " is NaN, which is no number" : " is infinite") +
+                  ", born at the input below" +
+                  (first > 0 ? "; everything asked before it was right." : ", the first one asked."),
+              nan ? "NaN comes from 0/0, from the root of a negative number, from infinity less infinity, or "
+                    "from a vector that was never given a value."
+                  : "That comes from a division by zero, or from numbers that grow without limit."}}};
+}
+
+std::optional<Finding> nothing_changed(const Evidence& evidence) {
+    const auto& outputs = evidence.reference.outputs;
+    std::size_t changes = 0;
+    for (std::size_t i = 0; i < outputs.size(); ++i) {
+        if (outputs[i].start.empty() || apart(outputs[i], outputs[i].values, outputs[i].start) <= tolerance)
+            continue;
+        if (evidence.yours[i] != outputs[i].start) return std::nullopt;
+        ++changes;
+    }
+    if (changes == 0) return std::nullopt;
+    return {
+        {"nothing changes",
+         {"Everything comes out as it went in. Is a copy changed instead of the thing itself (a missing &), "
+          "or is what was computed never stored?"}}};
+}
+
+std::optional<Finding> one_factor(const Evidence& evidence) {
+    const auto places = of_first_wrong_name(evidence);
+    if (places.empty()) return std::nullopt;
+    if (auto finding = factor_of(evidence, places, false)) return finding;
+    return factor_of(evidence, places, true);
+}
+
+std::optional<Finding> one_offset(const Evidence& evidence) {
+    const auto places = of_first_wrong_name(evidence);
+    std::set<Values> truths;
+    std::optional<Values> offset;
+    for (const std::size_t i : places) {
+        const Output& output = evidence.reference.outputs[i];
+        Values here(output.values.size());
+        for (std::size_t k = 0; k < here.size(); ++k) here[k] = evidence.yours[i][k] - output.values[k];
+        if (!offset) offset = here;
+        if (apart(output, *offset, here) > tolerance) return std::nullopt;
+        truths.insert(output.values);
+    }
+    if (truths.size() < 2) return std::nullopt;
+    return {
+        {"always off by " + shown(*offset),
+         {capital(without_unit(evidence.reference.outputs[places.front()].name)) + " is off by the same " +
+          shown(*offset) + " for every input: something is added that does not belong, or left out."}}};
+}
+
+std::optional<Finding> ignored_argument(const Evidence& evidence) {
+    const auto& [inputs, outputs] = evidence.reference;
+    std::vector<std::vector<std::size_t>> of_input(inputs.size());
+    for (std::size_t i = 0; i < outputs.size(); ++i) of_input[outputs[i].input].push_back(i);
+    std::vector<std::string> ignored, used;
+    for (std::size_t a = 0; a < inputs.size(); ++a)
+        for (std::size_t b = 0; b < a; ++b) {
+            const auto &left = inputs[a].values, &right = inputs[b].values;
+            if (left.size() != right.size() || of_input[a].size() != of_input[b].size()) continue;
+            std::vector<std::string> differ;
+            for (std::size_t k = 0; k < left.size(); ++k)
+                if (left[k] != right[k])
+                    differ.push_back(left[k].first == right[k].first ? left[k].first : "");
+            if (differ.size() != 1 || differ[0].empty()) continue;
+            for (std::size_t k = 0; k < of_input[a].size(); ++k) {
+                const std::size_t i = of_input[a][k], j = of_input[b][k];
+                if (outputs[i].name != outputs[j].name ||
+                    outputs[i].values.size() != outputs[j].values.size())
+                    continue;
+                const bool should = apart(outputs[i], outputs[i].values, outputs[j].values) > 1e-6,
+                           does = apart(outputs[i], evidence.yours[i], evidence.yours[j]) > 1e-12;
+                if (should) (does ? used : ignored).push_back(differ[0]);
+            }
+        }
+    for (const auto& name : ignored)
+        if (std::find(used.begin(), used.end(), name) == used.end())
+            return {{name + " is not used",
+                     {"Where only " + name + " differs, your answer stays the same: how should " + name +
+                      " enter?"}}};
+    return std::nullopt;
+}
+
+std::vector<std::string> what_is_right(const Evidence& evidence, bool explained) {
+    const auto& [inputs, outputs] = evidence.reference;
+    std::set<std::string> wrong_names;
+    std::set<std::size_t> wrong_inputs, components;
+    std::size_t size = 0;
+    for (const std::size_t i : evidence.wrong) {
+        wrong_names.insert(without_unit(outputs[i].name));
+        wrong_inputs.insert(outputs[i].input);
+        size = std::max(size, evidence.yours[i].size());
+        for (std::size_t k = 0; k < outputs[i].values.size(); ++k)
+            if (apart(outputs[i], {outputs[i].values[k]}, {evidence.yours[i][k]}) > tolerance)
+                components.insert(k);
+    }
+    std::vector<std::string> right, wrong, words;
+    for (const Output& output : outputs) {
+        if (output.level > 0 || !output.exact.empty()) continue;
+        auto& names = wrong_names.count(without_unit(output.name)) ? wrong : right;
+        if (std::find(names.begin(), names.end(), without_unit(output.name)) == names.end())
+            names.push_back(without_unit(output.name));
+    }
+    const auto list = [](const std::vector<std::string>& names) {
+        std::string text;
+        for (std::size_t i = 0; i < names.size(); ++i)
+            text += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i];
+        return text + (names.size() > 1 ? " are" : " is");
+    };
+    if (!right.empty() && !wrong.empty() && wrong.size() <= 3)
+        words.push_back(capital(list(right)) + " right; " + list(wrong) + " not.");
+    if (size == 3 && components.size() == 1)
+        words.push_back(std::string("Only its ") + "xyz"[*components.begin()] + " component is wrong.");
+    if (size == 3 && components.size() == 2)
+        words.push_back(std::string("Only its ") + "xyz"[3 - *components.begin() - *components.rbegin()] +
+                        " component is right.");
+    if (!explained && wrong_inputs.size() < inputs.size())
+        words.push_back("It is right for " + std::to_string(inputs.size() - wrong_inputs.size()) + " of " +
+                        std::to_string(inputs.size()) + " inputs: what is special about " +
+                        (2 * wrong_inputs.size() > inputs.size() ? "those?" : "the one below?"));
+    for (const std::size_t i : evidence.wrong)
+        if (finite(outputs[i].values) && !finite(evidence.yours[i])) {
+            words.push_back("Later on: " + capital(without_unit(outputs[i].name)) +
+                            " is no finite number for " + inputs[outputs[i].input].words + ".");
+            break;
+        }
+    return words;
+}
+
+}  // namespace nutshell::judge

@@ -1,0 +1,40 @@
+// What the numbers of a wrong answer tell of the slip behind them. Each of these looks for one kind of slip
+// in all answers together, and is silent unless it explains all that is wrong.
+#pragma once
+#include <optional>
+#include "compare.hpp"
+
+namespace nutshell::judge {
+
+/// The answers of one learner to one exercise, beside the truth.
+struct Evidence {
+    const exercises::Exercise& exercise;
+    const exercises::Record& reference;
+    const std::vector<Values>& yours;  ///< as many as there are outputs
+    std::vector<std::size_t> wrong;    ///< outputs that are wrong; one at least
+};
+
+struct Finding {
+    std::string name;  ///< a few words for the table
+    std::vector<std::string> words;
+    std::optional<std::size_t> show = {};  ///< the output that shows it best; else the first that is wrong
+};
+
+std::optional<Finding> wrong_size(const Evidence& evidence);
+std::optional<Finding> not_finite(const Evidence& evidence);  ///< from the first wrong output on
+std::optional<Finding> nothing_changed(const Evidence& evidence);
+std::optional<Finding> wrong_frame(const Evidence& evidence);
+std::optional<Finding> exchanged_components(const Evidence& evidence);
+std::optional<Finding> ignored_argument(const Evidence& evidence);
+std::optional<Finding> one_factor(const Evidence& evidence);  ///< of the values, or of their change
+std::optional<Finding> one_offset(const Evidence& evidence);
+/// From the runs at h, h/2 and h/4: does the error against the exact solution shrink, and how fast?
+std::optional<Finding> wrong_order(const Evidence& evidence);
+
+/// What may be said beside any of them: which outputs, components and inputs are right.
+std::vector<std::string> what_is_right(const Evidence& evidence, bool explained);
+
+std::string without_unit(const std::string& name);
+std::string capital(std::string text);
+
+}  // namespace nutshell::judge
