@@ -60,6 +60,7 @@ for face in Lato-Regular Lato-Bold Lato-Italic; do
     if [ -n "$font" ]; then cp -L "$font" "$next/fonts/"; else echo "book: $face.ttf is missing (fonts-lato)" >&2; exit 3; fi
 done
 
+cp "$here/style/book.js" "$next/"
 chmod 755 "$next"
 if [ -e "$out" ]; then rm -rf "$out.old" && mv "$out" "$out.old"; fi
 mv "$next" "$out"

@@ -16,6 +16,7 @@ Labels = dofile(here .. "labels.lua")
 Boxes = dofile(here .. "boxes.lua")
 Claims = dofile(here .. "claims.lua")
 Page = dofile(here .. "page.lua")
+Search = dofile(here .. "search.lua")
 
 -- Images stay images: a picture alone in its paragraph is a figure, in every version of pandoc the same way.
 -- "(8)" begins no list.
@@ -141,7 +142,7 @@ local function weave(page)
     Claims.collect(page)
     for _, entry in ipairs(page.contents) do entry.content = pandoc.Inlines(entry.content):walk(inlines) end
     page.doc = page.doc:walk(blocks)
-    page.body = pandoc.write(page.doc, "html5", {wrap_text = "wrap-none"})
+    page.body = Figures.gather_missing(pandoc.write(page.doc, "html5", {wrap_text = "wrap-none"}))
 end
 
 local function check_links()
@@ -168,6 +169,7 @@ local function write_all()
         Page.write("open/" .. page.name .. ".html", Page.fill(page, "open"))
     end
     for path in pairs(Book.sources) do Page.write_source(path) end
+    Search.write(Book.pages)
     Claims.write()
 end
 

@@ -87,8 +87,7 @@ local function content(page, image, at)             -- html, fields of the .txt;
             return Report.add(page, at,
                 "picture %s: there is no %s/%s: draw it in the chapter's program, then %s", src, chapter, file, command)
         end
-        return ('<div class="not-drawn"><b>%s was not drawn:</b> %s. Once that is mended, <code>%s</code> draws it.</div>')
-            :format(Page.escape(src), Page.escape((reason:gsub("%.$", ""))), Page.escape(command)), command
+        return nil, nil, {reason = reason:gsub("%.$", ""), command = command}
     end
     local stem = file:match("^(.*)%.png$")
     local sheet = stem and Page.read(Book.results .. "/" .. chapter .. "/" .. stem .. ".page.html", true)
@@ -106,9 +105,13 @@ end
 
 function Figures.figure(page, image)
     local at = Report.line(page, image.src)
-    local html, command = content(page, image, at)
-    if not html then return {} end
+    local html, command, missing = content(page, image, at)
     local label = page.labels[image.identifier]
+    if missing then
+        return pandoc.RawBlock("html", ("<!--missing|%s|%s|%s|%s-->"):format(image.identifier, label and label.text or "",
+            Page.escape(missing.reason):gsub("%-%-", "- -"), Page.escape(missing.command)))
+    end
+    if not html then return {} end
     local style = image.attributes.width and (' style="width:%s"'):format(Page.escape(image.attributes.width)) or ""
     local class = table.concat(image.classes, " ")
     local open = ('<figure%s%s%s>%s'):format(image.identifier ~= "" and ' id="' .. Page.escape(image.identifier) .. '"' or "",
@@ -123,6 +126,43 @@ function Figures.figure(page, image)
     local tail = label and (' <code class="command">%s</code>'):format(Page.escape(command)) or ""
     return {pandoc.RawBlock("html", open .. "<figcaption>" .. number), pandoc.Plain(image.caption),
             pandoc.RawBlock("html", tail .. "</figcaption></figure>")}
+end
+
+local function listed(names)
+    return #names < 2 and names[1] or table.concat(names, ", ", 1, #names - 1) .. " and " .. names[#names]
+end
+
+--- One quiet note for all that a section could not show for one reason; each keeps its address.
+function Figures.gather_missing(body)
+    local function section(html)
+        local groups = {}
+        for id, label, reason, command in html:gmatch("<!%-%-missing|(.-)|(.-)|(.-)|(.-)%-%->") do
+            groups[reason] = groups[reason] or {numbers = {}, command = command, ids = {}, count = 0}
+            local group = groups[reason]
+            group.count = group.count + 1
+            local number = label:match("^Figure (.*)$")
+            if number then group.numbers[#group.numbers + 1] = number end
+            if id ~= "" then group.ids[#group.ids + 1] = id end
+        end
+        return (html:gsub("<!%-%-missing|.-|.-|(.-)|.-%-%->", function(reason)
+            local group = groups[reason]
+            if not group then return "" end
+            groups[reason] = nil
+            local anchors = ""
+            for _, id in ipairs(group.ids) do anchors = anchors .. ('<span id="%s"></span>'):format(Page.escape(id)) end
+            local one = group.count == 1
+            local what = #group.numbers == 0 and (one and "A picture" or group.count .. " pictures")
+                or (#group.numbers == 1 and "Figure\u{a0}" or "Figures\u{a0}") .. listed(group.numbers)
+            return ('<p class="not-drawn">%s%s %s not drawn here: %s. Once that is mended, <code>%s</code> draws %s.</p>')
+                :format(anchors, what, one and "was" or "were", reason, group.command, one and "it" or "them")
+        end))
+    end
+    local out, at = {}, 1
+    for start in body:gmatch("()<h2") do
+        out[#out + 1], at = section(body:sub(at, start - 1)), start
+    end
+    out[#out + 1] = section(body:sub(at))
+    return table.concat(out)
 end
 
 return Figures

@@ -160,6 +160,15 @@ local function neighbours(page)
     return main or before, after
 end
 
+--- What stands at the head of each printed page.
+function Page.running(page)
+    local number = page.number and page.number ~= "0" and page.number .. " · " or ""
+    return (page.name == "index" and "" or number .. page.title .. "   |   ") .. "Game Physics in a Nutshell"
+end
+
+local search = [[<form class="search" role="search" hidden><input type="search" aria-label="Search the book" placeholder="Search the book" autocomplete="off">
+<p role="status"></p><ol></ol></form>]]                -- shown by book.js, which makes it work
+
 function Page.fill(page, edition)
     local before, after = neighbours(page)
     local kicker = Page.kicker(page)
@@ -171,10 +180,14 @@ function Page.fill(page, edition)
         base = "", class = (page.chapter and "chapter" or page.name), nav = navigation(page), body = page.body,
         kicker = kicker and ('<p class="kicker">%s</p>'):format(kicker) or "",
         previous = turn(before, "previous", page.side and "Back to" or "Before"), next = turn(after, "next", "Next"),
-        edition = "@edition@",
+        edition = "@edition@", search = search, script = '<script src="book.js" defer></script>',
+        running = (Page.running(page):gsub('["\\<>&]', "")),
     }
     html = edition_of(html, edition)
-    if edition == "open" then html = html:gsub('href="(%l+%.css)"', 'href="../%1"') end
+    if edition == "open" then
+        html = html:gsub('href="(%l+%.css)"', 'href="../%1"'):gsub('src="(%l+%.js)"', 'src="../%1"')
+        html = html:gsub('data%-edition=""', 'data-edition="open/"')
+    end
     return (html:gsub("@edition@", function() return word:format(other, page.name) end))
 end
 

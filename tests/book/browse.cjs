@@ -50,7 +50,7 @@ const event = name => new Promise(resolve => heard.push(function hear(m) {
 }));
 
 // --- what a page is asked, inside the browser ------------------------------------------------------------------------
-function examine(width) {
+function examine(width, inside) {
     const bad = [], wide = document.documentElement;
     const who = e => `<${e.tagName.toLowerCase()} class="${e.getAttribute('class') || ''}"> ${(e.textContent || '').trim().slice(0, 50)}`;
     if (wide.scrollWidth > width) {
@@ -59,7 +59,8 @@ function examine(width) {
         bad.push(`it scrolls sideways: ${wide.scrollWidth} px on ${width}; ${far.slice(0, 2).map(who).join('; ')}`);
     }
     for (const image of document.images) if (!image.complete || !image.naturalWidth) bad.push(`picture not shown: ${image.src}`);
-    if (document.scripts.length) bad.push('it holds a script');
+    for (const s of document.scripts)      // the book's own files; the pages read without them
+        if (!s.src.startsWith(inside)) bad.push(`a script that is no file of the book: ${s.src || s.textContent.slice(0, 40)}`);
     const scrolls = e => ['auto', 'scroll'].includes(getComputedStyle(e).overflowX);
     for (const e of document.querySelectorAll('.katex-display, pre, .plot, .scroll'))
         if (e.scrollWidth > e.clientWidth + 1 && !scrolls(e)) bad.push(`cut off: ${who(e)}`);
@@ -132,7 +133,7 @@ async function main() {
             const {result, exceptionDetails} = await tell('Runtime.evaluate', {awaitPromise: true, returnByValue: true,
                 expression: `(async () => { document.querySelectorAll('main details').forEach(d => d.open = true);
                     await document.fonts.ready; await new Promise(requestAnimationFrame);
-                    await Promise.all([...document.images].map(i => i.decode().catch(() => {}))); return (${examine})(${width}); })()`});
+                    await Promise.all([...document.images].map(i => i.decode().catch(() => {}))); return (${examine})(${width}, ${JSON.stringify(inside)}); })()`});
             if (exceptionDetails) throw new Error(exceptionDetails.exception.description);
             const found = result.value;
             found.bad.forEach(b => complain(`at ${width} px, ${scheme}: ${b}`));
