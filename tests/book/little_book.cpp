@@ -130,7 +130,11 @@ Said LittleBook::weave() const {
 }
 
 std::string LittleBook::page(const std::string& name) const {
-    return read_text(folder_ / "out" / (name + ".html"));
+    return file(name + ".html");
+}
+
+std::string LittleBook::file(const std::string& name) const {
+    return read_text(folder_ / "out" / name);
 }
 
 }  // namespace book_test

@@ -26,6 +26,7 @@ class LittleBook {
     void write(const std::string& file, const std::string& text) const;  ///< file relative to the folder
     Said weave() const;                                                  ///< by book/build.sh, into out/
     std::string page(const std::string& name) const;                     ///< the woven page's HTML
+    std::string file(const std::string& name) const;                     ///< any file of the woven book
     const std::filesystem::path& folder() const { return folder_; }
 
   private:

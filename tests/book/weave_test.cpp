@@ -133,7 +133,7 @@ That.
     CHECK(page.find("<form class=\"search\" role=\"search\" hidden>") !=
           std::string::npos);  // until it works
     check_in_order(
-        book.page("search-index.js"),
+        book.file("search-index.js"),
         {"[\"01_first.html\",\"First\"", "[\"01_first.html#sec:here\",\"1.1 Here\"", "Which?", "That."});
 
     check_in_order(book.page("index"), {"href=\"01_first.html\"", "<span class=\"no\">2</span>Second",
