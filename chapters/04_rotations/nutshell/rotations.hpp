@@ -21,12 +21,14 @@ inline Matrix3 rotation_x(double angle) {
 
 /// Turn by `angle` [rad] about y. Source: eq. (24).
 inline Matrix3 rotation_y(double angle) {
+    // exercise 4.1
     const double c = std::cos(angle), s = std::sin(angle);
     Matrix3 r;
     r << c, 0, s,  //
         0, 1, 0,   //
         -s, 0, c;
     return r;
+    // end 4.1
 }
 
 /// Turn by `angle` [rad] about z. Source: eq. (25).
@@ -56,6 +58,7 @@ inline Vector3 direction_of(const Vector3& axis) {
 /// @throws std::invalid_argument if the axis is zero or a number is not finite
 inline Matrix3 rotation_about(const Vector3& axis, double angle) {
     require(std::isfinite(angle), "rotation_about: the angle [rad] must be finite");
+    // exercise 4.2
     const Vector3 n = direction_of(axis);
     const double c = std::cos(angle / 2), s = std::sin(angle / 2);
     Matrix3 r;
@@ -69,6 +72,7 @@ inline Matrix3 rotation_about(const Vector3& axis, double angle) {
     r(2, 1) = 2 * (n[1] * n[2] * s * s + n[0] * s * c);
     r(2, 2) = 2 * (n[2] * n[2] * s * s + c * c) - 1;
     return r;
+    // end 4.2
 }
 // [/about_any_axis]
 
@@ -117,12 +121,14 @@ inline Quaternion normalised(const Quaternion& q) {
 /// The rotation matrix of a 4-vector q of length one; q and -q have the same. Checks nothing: a
 /// length of 1.1 gives a matrix that is no rotation at all. Source: eq. (28*).
 inline Matrix3 rotation_matrix(const Quaternion& q) {
+    // exercise 4.3
     const double x = q.x(), y = q.y(), z = q.z(), w = q.w();
     Matrix3 r;
     r << 2 * (x * x + w * w) - 1, 2 * (x * y - z * w), 2 * (x * z + y * w),  //
         2 * (x * y + z * w), 2 * (y * y + w * w) - 1, 2 * (y * z - x * w),   //
         2 * (x * z - y * w), 2 * (y * z + x * w), 2 * (z * z + w * w) - 1;
     return r;
+    // end 4.3
 }
 // [/matrix]
 
@@ -138,9 +144,11 @@ inline Vector3 rotate(const Quaternion& q, const Vector3& p) {
 /// The one turn that does `first`, then `second`, both about axes that stand still in the world:
 /// R(product(b, a)) = R(b) R(a). Source: eq. (29), its "explicit calculation" as eq. (4.d).
 inline Quaternion product(const Quaternion& second, const Quaternion& first) {
+    // exercise 4.4
     const Vector3 u1 = first.vec(), u2 = second.vec();
     const double w1 = first.w(), w2 = second.w();
     return four_vector(w2 * u1 + w1 * u2 + u2.cross(u1), w2 * w1 - u2.dot(u1));
+    // end 4.4
 }
 
 /// The turn back: the same angle about the opposite axis.
@@ -159,8 +167,10 @@ inline Quaternion vector_product(const Vector3& beta, const Quaternion& q) {
 /// q turned by the small rotation vector `beta` [rad], world axes, to first order, and made as
 /// long as one again. Turns by 2 atan(|beta|/2) instead of |beta|. Source: eqs. (30*), (31*).
 inline Quaternion small_turn(const Quaternion& q, const Vector3& beta) {
+    // exercise 4.5
     const Quaternion change = vector_product(beta, q);
     return Quaternion(q.coeffs() + change.coeffs() / 2).normalized();
+    // end 4.5
 }
 // [/small_turn]
 
@@ -168,10 +178,12 @@ inline Quaternion small_turn(const Quaternion& q, const Vector3& beta) {
 /// The turn about the direction of `a` by the angle |a| [rad]: Exp(a), defined for a = 0 too.
 /// Source: eq. (27) with n = a/|a|; erratum E21. Eq. (4.f).
 inline Quaternion exponential(const Vector3& a) {
+    // exercise 4.6
     const double square = a.squaredNorm(), angle = std::sqrt(square);
     // sin(angle/2)/angle; where a is tiny by the first terms of its series, so nothing is 0/0
     const double scale = square < 1e-8 ? 0.5 - square / 48 : std::sin(angle / 2) / angle;
     return four_vector(scale * a, std::cos(angle / 2));
+    // end 4.6
 }
 // [/exponential]
 
@@ -179,6 +191,7 @@ inline Quaternion exponential(const Vector3& a) {
 /// The rotation vector [rad] of q, the shorter way round: its length is at most pi, and q and -q
 /// have the same. The inverse of `exponential`. The length of q does not matter. Eq. (4.g).
 inline Vector3 logarithm(const Quaternion& q) {
+    // exercise 4.7
     const double sign = q.w() < 0 ? -1 : 1;
     const Vector3 u = sign * q.vec();
     const double w = sign * q.w(), square = u.squaredNorm(), length = std::sqrt(square);
@@ -186,6 +199,7 @@ inline Vector3 logarithm(const Quaternion& q) {
     const double scale = square < 1e-8 * w * w ? (2 - 2 * square / (3 * w * w)) / w
                                                : 2 * std::atan2(length, w) / length;
     return scale * u;
+    // end 4.7
 }
 // [/logarithm]
 
@@ -198,8 +212,10 @@ inline double angle_between(const Quaternion& a, const Quaternion& b) {
 /// `part` of the way from one orientation to the other (0 to 1), about one axis at one speed, the
 /// shorter way round. Eq. (4.h). Source: K. Shoemake, SIGGRAPH 1985, there as a formula of sines.
 inline Quaternion slerp(const Quaternion& from, const Quaternion& to, double part) {
+    // exercise 4.8
     const Vector3 way = logarithm(product(to, inverse(from)));
     return product(exponential(part * way), from);
+    // end 4.8
 }
 
 /// The same way at an uneven speed, for less: the straight line between the two 4-vectors, made

@@ -1,0 +1,124 @@
+// Exercise 4.2: the matrix of a turn about any axis, where the source's (26) has two wrong entries.
+#pragma once
+#include <nutshell/rotations.hpp>
+#include "exercise.hpp"
+
+namespace nutshell::exercises {
+
+struct RotationAbout {
+    static constexpr const char *id = "4.2", *function = "rotation_about";
+    static constexpr auto subject = NUTSHELL_CALL(rotation_about);
+
+    template <class Answer>
+    static void ask(Paper& paper, const Answer& answer) {
+        const Vector3 unit = Vector3(1, -2, 3) / std::sqrt(14.0), longer(-0.7, 1.9, 1.3);
+        for (const Vector3& axis : {unit, longer})
+            for (const double angle : {0.8, -2.3, 4.1}) {
+                paper.input("axis", axis, "angle", angle);
+                const Matrix3 r = answer(axis, angle);
+                paper.output("the matrix", r, 1.0);
+            }
+        paper.input("axis", longer, "angle", 0.0);
+        const Matrix3 none = answer(longer, 0);
+        paper.output("the matrix", none, 1.0);
+    }
+
+#ifndef NUTSHELL_SHEET
+    /// Rodrigues' formula as a matrix.
+    static Matrix3 rodrigues(const Vector3& n, double cosine, double sine) {
+        Matrix3 cross;
+        cross << 0, -n[2], n[1], n[2], 0, -n[0], -n[1], n[0], 0;
+        const Matrix3 along = n * n.transpose();
+        return along + cosine * (Matrix3::Identity() - along) + sine * cross;
+    }
+    static About<RotationAbout> about() {
+        return {
+            .title = "A turn about any axis",
+            .hints =
+                {"Split a point into the part along the axis, which stays, and the part "
+                 "across, which turns in its plane.",
+                 "Rodrigues' formula, written with the half angle, gives the nine numbers of "
+                 "(26*). Compare each printed entry with its partner across the diagonal.",
+                 "Partners across the diagonal differ in the sign of the s c term only. Make "
+                 "the axis as long as one first: direction_of does."},
+            .picture = "printed.png",
+            .mistakes =
+                {{"the third entry of the first row as printed", "E13",
+                  "A cube that yaws is sheared flat.",
+                  "The entry (0,2) of the printed (26) has the wrong sign: about y, z must go "
+                  "towards +x. It is 2(n0 n2 s^2 + n1 s c).",
+                  [](const Vector3& axis, double angle) -> Matrix3 {
+                      const Vector3 n = axis.normalized();
+                      const double c = std::cos(angle / 2), s = std::sin(angle / 2);
+                      Matrix3 r = rodrigues(n, std::cos(angle), std::sin(angle));
+                      r(0, 2) = 2 * (n[0] * n[2] * s * s - n[1] * s * c);
+                      return r;
+                  }},
+                 {"the first entry of the third row as printed", "E14",
+                  "A cube that turns about x and z at once leans over.",
+                  "The entry (2,0) of the printed (26) has lost its first term. It is 2(n0 n2 "
+                  "s^2 "
+                  "- n1 s c).",
+                  [](const Vector3& axis, double angle) -> Matrix3 {
+                      const Vector3 n = axis.normalized();
+                      const double c = std::cos(angle / 2), s = std::sin(angle / 2);
+                      Matrix3 r = rodrigues(n, std::cos(angle), std::sin(angle));
+                      r(2, 0) = 2 * (n[0] * s * c - n[1] * s * c);
+                      return r;
+                  }},
+                 {"equation (26) as printed", "E13, E14",
+                  "A cube that turns becomes a skewed box of another volume.",
+                  "Two entries of the printed (26) are wrong, (0,2) and (2,0): each differs from "
+                  "its partner across the diagonal by more than a sign.",
+                  [](const Vector3& axis, double angle) -> Matrix3 {
+                      const Vector3 n = axis.normalized();
+                      const double c = std::cos(angle / 2), s = std::sin(angle / 2);
+                      Matrix3 r = rodrigues(n, std::cos(angle), std::sin(angle));
+                      r(0, 2) = 2 * (n[0] * n[2] * s * s - n[1] * s * c);
+                      r(2, 0) = 2 * (n[0] * s * c - n[1] * s * c);
+                      return r;
+                  }},
+                 {"the transpose", "E51: the source's class Rotation",
+                  "Everything turns the other way.",
+                  "Your matrix turns by minus the angle: rows and columns are exchanged.",
+                  [](const Vector3& axis, double angle) -> Matrix3 {
+                      return rodrigues(axis.normalized(), std::cos(angle), -std::sin(angle));
+                  }},
+                 {"the whole angle where half belongs", "classic",
+                  "Everything turns twice as far.",
+                  "c and s are cosine and sine of half the angle: the matrix is quadratic in "
+                  "them, "
+                  "and squares double angles.",
+                  [](const Vector3& axis, double angle) -> Matrix3 {
+                      return rodrigues(axis.normalized(), std::cos(2 * angle),
+                                       std::sin(2 * angle));
+                  }},
+                 {"the axis not as long as one", "classic",
+                  "Things grow when they turn about a long axis.",
+                  "The formula wants an axis of length one, and the door promises any length: "
+                  "divide it by its length first.",
+                  [](const Vector3& axis, double angle) -> Matrix3 {
+                      return rodrigues(axis, std::cos(angle), std::sin(angle));
+                  }}},
+            .alternatives = {{"Rodrigues' formula",
+                              [](const Vector3& axis, double angle) -> Matrix3 {
+                                  return rodrigues(axis.normalized(), std::cos(angle),
+                                                   std::sin(angle));
+                              }},
+                             {"the images of x, y and z as columns",
+                              [](const Vector3& axis, double angle) -> Matrix3 {
+                                  const Vector3 n = direction_of(axis);
+                                  Matrix3 r;
+                                  r << turned(Vector3::UnitX(), n, angle),
+                                      turned(Vector3::UnitY(), n, angle),
+                                      turned(Vector3::UnitZ(), n, angle);
+                                  return r;
+                              }}},
+        };
+    }
+#endif
+};
+
+inline const bool rotation_about_entered = enter<RotationAbout>();
+
+}  // namespace nutshell::exercises

@@ -1,0 +1,99 @@
+// Exercise 4.7: back from the 4-vector to the rotation vector.
+#pragma once
+#include <nutshell/rotations.hpp>
+#include "exercise.hpp"
+
+namespace nutshell::exercises {
+
+struct Logarithm {
+    static constexpr const char *id = "4.7", *function = "logarithm";
+    static constexpr auto subject = NUTSHELL_CALL(logarithm);
+
+    template <class Answer>
+    static void ask(Paper& paper, const Answer& answer) {
+        const Vector3 n = Vector3(2, -3, 6) / 7, m = Vector3(-6, 2, 3) / 7;
+        for (const Vector3& axis : {n, m})
+            for (const double angle : {0.7, 2.9, 3.3, 5.1, -1.2, 2e-5, 3e-9}) {
+                const Quaternion q = four_vector(std::sin(angle / 2) * axis, std::cos(angle / 2));
+                paper.input("q", q);
+                const Vector3 a = answer(q);
+                const double shorter = std::remainder(angle, 2 * pi);
+                paper.output("the rotation vector [rad]", a, Vector3(shorter * axis));
+            }
+        paper.input("q", four_vector({0, 0, 0}, 1));
+        const Vector3 none = answer(four_vector({0, 0, 0}, 1));
+        paper.output("the rotation vector [rad]", none, 1.0);
+        paper.input("q", four_vector({0, 0, 0}, -1));
+        const Vector3 also_none = answer(four_vector({0, 0, 0}, -1));
+        paper.output("the rotation vector [rad]", also_none, 1.0);
+    }
+
+#ifndef NUTSHELL_SHEET
+    static About<Logarithm> about() {
+        return {
+            .title = "The rotation vector of a 4-vector",
+            .hints =
+                {"You know the sine of half the angle (the length of x, y, z) and its cosine "
+                 "(w). Which function takes both?",
+                 "q and -q are the same pose: of the two, take the one with w not negative, "
+                 "and you go the shorter way.",
+                 "Multiply the vector by 2 atan2(length, w)/length; where the length is tiny "
+                 "that is 2/w to all its digits, nearly: take off a third of 2 length^2."},
+            .mistakes =
+                {{"half of the angle", "classic", "Tweens stop half-way.",
+                  "The arc tangent gives half of the angle: the 4-vector knows no more.",
+                  [](const Quaternion& q) -> Vector3 {
+                      const double sign = q.w() < 0 ? -1 : 1, length = q.vec().norm();
+                      if (length == 0) return Vector3::Zero();
+                      return sign * q.vec() / length * std::atan2(length, sign * q.w());
+                  }},
+                 {"the arc cosine of w", "classic", "Slow turns stand still, then jerk.",
+                  "Near 1 the cosine has forgotten the angle: 3e-9 rad leave no trace in w. The "
+                  "sine has them all; use both in atan2.",
+                  [](const Quaternion& q) -> Vector3 {
+                      const double sign = q.w() < 0 ? -1 : 1, length = q.vec().norm();
+                      if (length == 0) return Vector3::Zero();
+                      return sign * q.vec() / length *
+                             (2 * std::acos(std::min(1.0, sign * q.w())));
+                  }},
+                 {"the longer way", "classic", "A door swings open through the wall.",
+                  "For w below zero you turn by more than half a turn. -q is the same pose, the "
+                  "shorter way.",
+                  [](const Quaternion& q) -> Vector3 {
+                      const double length = q.vec().norm();
+                      if (length == 0) return Vector3::Zero();
+                      return q.vec() / length * (2 * std::atan2(length, q.w()));
+                  }},
+                 {"twice the vector", "classic: the small-angle rule for large angles",
+                  "Large turns fall short.",
+                  "2 (x, y, z) is the rotation vector of small turns only: it is twice the sine "
+                  "of "
+                  "half the angle.",
+                  [](const Quaternion& q) -> Vector3 { return (q.w() < 0 ? -2 : 2) * q.vec(); }},
+                 {"0/0 where there is no turn", "E52", "A thing that stands still disappears.",
+                  "You divide by the length of a vector that may be zero.",
+                  [](const Quaternion& q) -> Vector3 {
+                      const double sign = q.w() < 0 ? -1 : 1, length = q.vec().norm();
+                      return sign * q.vec() / length * (2 * std::atan2(length, sign * q.w()));
+                  }}},
+            .alternatives = {{"the arc sine, and two cases",
+                              [](const Quaternion& q) -> Vector3 {
+                                  const double sign = q.w() < 0 ? -1 : 1, length = q.vec().norm();
+                                  if (length < 1e-7) return 2 * sign * q.vec();
+                                  const double angle = length < 0.7 ? 2 * std::asin(length)
+                                                                    : 2 * std::acos(sign * q.w());
+                                  return sign * q.vec() * (angle / length);
+                              }},
+                             {"Eigen's",
+                              [](const Quaternion& q) -> Vector3 {
+                                  const Eigen::AngleAxisd turn(q);
+                                  return turn.angle() * turn.axis();
+                              }}},
+        };
+    }
+#endif
+};
+
+inline const bool logarithm_entered = enter<Logarithm>();
+
+}  // namespace nutshell::exercises
