@@ -20,7 +20,8 @@ struct Exponential {
             paper.output("the 4-vector", q, 1.0);
             // its vector part alone, to its own last digits, for q and -q alike
             const Vector3 u = q.w() < 0 ? Vector3(-q.vec()) : Vector3(q.vec());
-            paper.output("the part (x, y, z)", u, a.norm() > 1 ? Vector3(1, 1, 1) : a);
+            const bool large_or_none = a.norm() > 1 || a == Vector3::Zero();
+            paper.output("the part (x, y, z)", u, large_or_none ? Vector3(1, 1, 1) : a);
         }
     }
 
