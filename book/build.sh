@@ -4,6 +4,7 @@
 #   --out      where the book goes                        (out/book)
 #   --results  where the chapters' programs have written  (out)
 #   --pages    where the pages and errata.csv are         (book)
+#   --live     where the figures that move were built     (build/default/live; without them the stills)
 #   --root     where the quoted sources are               (the project)
 #   --claims   print what stands behind each number and comparison of the text
 # Two editions: the learner's, and DIR/open with every body and answer shown, for print and for teachers.
@@ -12,20 +13,20 @@
 set -eu
 export LC_ALL=C.UTF-8
 here=$(CDPATH= cd "$(dirname "$0")" && pwd)
-root=$(dirname "$here"); pages=$here; out=; results=; claims=
-usage() { sed -n '2,8s/^# \{0,1\}//p' "$0"; }
+root=$(dirname "$here"); pages=$here; out=; results=; live=; claims=
+usage() { sed -n '2,9s/^# \{0,1\}//p' "$0"; }
 while [ $# -gt 0 ]; do
     case $1 in
-        --out|--results|--pages|--root)
+        --out|--results|--pages|--root|--live)
             [ $# -ge 2 ] || { echo "book: $1 wants a folder" >&2; exit 2; }
-            case $1 in --out) out=$2;; --results) results=$2;; --pages) pages=$2;; --root) root=$2;; esac
+            case $1 in --out) out=$2;; --results) results=$2;; --pages) pages=$2;; --root) root=$2;; --live) live=$2;; esac
             shift 2;;
         --claims) claims=yes; shift;;
         -h|--help) usage; exit 0;;
         *) echo "book: unknown argument '$1'" >&2; usage >&2; exit 2;;
     esac
 done
-: "${results:=$root/out}" "${out:=$root/out/book}"
+: "${results:=$root/out}" "${out:=$root/out/book}" "${live:=$root/build/${COURSE_PRESET:-default}/live}"
 
 # --- what is needed ----------------------------------------------------------------------------------------------
 for tool in pandoc node; do
@@ -49,11 +50,12 @@ done
 
 case $pages in "$root"/*) prefix=${pages#"$root"/}/;; *) prefix=$pages/;; esac
 bad=0
-BOOK_LIST=$list BOOK_PREFIX=$prefix BOOK_PAGES=$pages BOOK_ROOT=$root BOOK_RESULTS=$results BOOK_OUT=$next BOOK_HERE=$here \
+BOOK_LIST=$list BOOK_PREFIX=$prefix BOOK_PAGES=$pages BOOK_ROOT=$root BOOK_RESULTS=$results BOOK_LIVE=$live BOOK_OUT=$next BOOK_HERE=$here \
     pandoc --from markdown --to plain --lua-filter "$here/weave/book.lua" --output /dev/null /dev/null || bad=1
 node "$here/weave/katex.cjs" "$katex" "$next" || bad=1
 [ $bad = 0 ] || { echo "book: the complaints above stop the build; nothing was written to $out" >&2; exit 1; }
-cat "$here/style/book.css" "$here/style/pictures.css" > "$next/book.css"
+cat "$here/style/book.css" "$here/style/pictures.css" "$here/../common/live/live.css" > "$next/book.css"
+[ ! -d "$next/live" ] || cp "$here/../common/live/live.js" "$next/live/"
 mkdir -p "$next/fonts"
 for face in Lato-Regular Lato-Bold Lato-Italic; do
     font=$(find -L /usr/share/fonts -name "$face.ttf" 2>/dev/null | head -n 1)

@@ -4,7 +4,7 @@
 PANDOC_VERSION:must_be_at_least("2.17", "book: pandoc %s or newer is needed, this is %s")
 local env = function(name) return os.getenv("BOOK_" .. name) end
 local here = env("HERE") .. "/weave/"
-Book = {pages_dir = env("PAGES"), root = env("ROOT"), results = env("RESULTS"), out = env("OUT"), here = env("HERE"),
+Book = {pages_dir = env("PAGES"), root = env("ROOT"), results = env("RESULTS"), live = env("LIVE"), out = env("OUT"), here = env("HERE"),
         prefix = env("PREFIX"), pages = {}, sources = {}, exercises = {}}
 Report = dofile(here .. "report.lua")
 Csv = dofile(here .. "csv.lua")
@@ -92,6 +92,8 @@ end
 --- Links between pages are written to the Markdown files; here they become links between the HTML pages.
 local function link(page, l)
     if l.target:find("^%a+:") then return nil end
+    local figure, state = l.target:match("^([%w_]+)%.png#([%w_]+)$")
+    if figure then return Figures.state(page, l, figure, state) end
     local name, anchor = l.target:match("^([^#]*)#?(.*)$")
     name = name:gsub("%.md$", "")
     page.links[#page.links + 1] = {target = l.target, at = Report.line(page, l.target), page = name ~= "" and name or page.name,

@@ -69,6 +69,17 @@ function Figures.command(chapter, fields)
     return own and run or noted
 end
 
+--- What makes a figure move: the module of its chapter, if one was built, copied once.
+local function module(page, chapter)
+    if not Book.live then return nil end
+    if page.modules and page.modules[chapter] ~= nil then return page.modules[chapter] end
+    local bytes = Page.read(Book.live .. "/" .. chapter .. ".js", true)
+    if bytes then Page.write("live/" .. chapter .. ".js", bytes) end
+    page.modules = page.modules or {}
+    page.modules[chapter] = bytes ~= nil
+    return page.modules[chapter]
+end
+
 local function content(page, image, at)             -- html, fields of the .txt; nil after a complaint
     local src = image.src
     local chapter, file = src:match("^([%w_]+)/([%w_.-]+)$")
@@ -91,7 +102,11 @@ local function content(page, image, at)             -- html, fields of the .txt;
     end
     local stem = file:match("^(.*)%.png$")
     local sheet = stem and Page.read(Book.results .. "/" .. chapter .. "/" .. stem .. ".page.html", true)
-    if sheet then return shots(chapter, sheet, image), command end
+    if sheet then
+        local moves = fields and fields.states and module(page, chapter)
+        return shots(chapter, sheet, image), command, nil,
+            moves and (' data-chapter="%s" data-figure="%s"'):format(chapter, stem) or nil
+    end
     if file:find("%.svg$") then
         return chart(page, at, src, bytes), command
     elseif not file:find("%.png$") then
@@ -103,9 +118,28 @@ local function content(page, image, at)             -- html, fields of the .txt;
     return ('<img src="pictures/%s/%s" alt="%s" width="%d" height="%d">'):format(chapter, file, alternative(image), width, height), command
 end
 
+--- [Verlet](planet.png#verlet) puts the moving figure of this page into a state; without script it leads to the figure.
+function Figures.state(page, link, name, state)
+    local at = Report.line(page, link.target)
+    local id = page.text:match("%(" .. name .. "%.png%){#([%w:_-]+)")
+    if not id then
+        return Report.add(page, at, "the link %s: this page has no figure %s.png with a label", link.target, name)
+    end
+    local fields = note(Book.results .. "/" .. (page.results or page.name) .. "/" .. name .. ".txt")
+    local states = {}
+    for key in (fields and fields.states or ""):gmatch("%S+") do states[key] = true end
+    if fields and not states[state] then
+        Report.add(page, at, "the link %s: the figure has no state '%s'; %s", link.target, state, Report.names(states, "it does not move"))
+    end
+    link.target = "#" .. id
+    link.attributes["data-figure"], link.attributes["data-state"] = name, state
+    return link
+end
+
 function Figures.figure(page, image)
     local at = Report.line(page, image.src)
-    local html, command, missing = content(page, image, at)
+    local html, command, missing, moves = content(page, image, at)
+    if moves then image.classes:insert("live") end
     local label = page.labels[image.identifier]
     if missing then
         return pandoc.RawBlock("html", ("<!--missing|%s|%s|%s|%s-->"):format(image.identifier, label and label.text or "",
@@ -114,8 +148,8 @@ function Figures.figure(page, image)
     if not html then return {} end
     local style = image.attributes.width and (' style="width:%s"'):format(Page.escape(image.attributes.width)) or ""
     local class = table.concat(image.classes, " ")
-    local open = ('<figure%s%s%s>%s'):format(image.identifier ~= "" and ' id="' .. Page.escape(image.identifier) .. '"' or "",
-        class ~= "" and ' class="' .. class .. '"' or "", style, html)
+    local open = ('<figure%s%s%s%s>%s'):format(image.identifier ~= "" and ' id="' .. Page.escape(image.identifier) .. '"' or "",
+        class ~= "" and ' class="' .. class .. '"' or "", moves or "", style, html)
     if #image.caption == 0 then
         if label then Report.add(page, at,
             "picture %s: a numbered figure has a caption that can be read alone", image.src) end

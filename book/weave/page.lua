@@ -180,7 +180,8 @@ function Page.fill(page, edition)
         base = "", class = (page.chapter and "chapter" or page.name), nav = navigation(page), body = page.body,
         kicker = kicker and ('<p class="kicker">%s</p>'):format(kicker) or "",
         previous = turn(before, "previous", page.side and "Back to" or "Before"), next = turn(after, "next", "Next"),
-        edition = "@edition@", search = search, script = '<script src="book.js" defer></script>',
+        edition = "@edition@", search = search,
+        script = '<script src="book.js" defer></script>' .. (page.modules and '<script src="live/live.js" defer></script>' or ""),
         running = (Page.running(page):gsub('["\\<>&]', "")),
     }
     html = edition_of(html, edition)

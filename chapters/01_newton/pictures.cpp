@@ -1,6 +1,7 @@
 // The pictures of chapter 1, and the book's cover.
 #include <nutshell/game_loop.hpp>
 #include <nutshell/lab/run.hpp>
+#include <nutshell/live/stills.hpp>
 #include <nutshell/newton_methods.hpp>
 #include <nutshell/newton_scenes.hpp>
 #include <nutshell/picture/picture.hpp>
@@ -83,53 +84,6 @@ void throw_picture(lab::Report& report) {
         drawing.title("Euler's ball flies too high")
             .caption("solid: Euler, one step every 0.25 s.  ghost: exact");
         return pic::Shot{drawing, pic::fit(drawing, {0.12, 0.18, 1})};
-    });
-}
-
-pic::Drawing orbits(const Planet& scene, const Path& points, pic::Colour colour) {
-    pic::Drawing drawing;
-    drawing.ground({.height = -0.25, .normal = Vector3::UnitZ(), .spacing = 0.5, .unit = "a"});
-    drawing.add(pic::Trail{.points = exact_path(Planet::for_orbits(1), 300),
-                           .colour = pic::palette::ink,
-                           .dashed = true,
-                           .width = 3,
-                           .shadow = false});
-    drawing.add(pic::Trail{.points = points,
-                           .colour = colour,
-                           .width = 2.5,
-                           .opacity_at_start = 0.55,
-                           .shadow = false});
-    drawing.add(pic::Ball{
-        .centre = {0, 0, 0}, .radius = 0.06, .colour = pic::palette::gold, .shines = true});
-    drawing.add(pic::Ball{.centre = points.back(), .radius = 0.06, .colour = colour});
-    drawing.add(
-        pic::Ball{.centre = scene.start.position, .radius = 0.045, .look = pic::Look::ghost});
-    return drawing;
-}
-
-void planet_picture(lab::Report& report) {
-    const long euler_steps = 1000, verlet_steps = 100;  // a year: Euler gets ten times as many
-    const Planet few = Planet::for_orbits(6), many = Planet::for_orbits(20);
-    const Path euler_path = path(few, euler_method, 6 * euler_steps),
-               verlet_path = path(many, verlet_method, 20 * verlet_steps);
-    const pic::Note note{
-        report.command(),
-        "planet, e = 0.6",
-        "Euler, 6 years; Verlet, 20 years",
-        "1/1000 year (Euler), 1/100 year (Verlet)",
-        {{"Euler, error at the end",
-          few.error(lab::run(few, euler_method, 6 * euler_steps), few.duration), "a"},
-         {"Verlet, error at the end",
-          many.error(lab::run(many, verlet_method, 20 * verlet_steps), many.duration), "a"}}};
-    pic::save(report.path("planet.png"), note, [&]() -> pic::Sheet {
-        const pic::Size half{640, 560};
-        const Vector3 from(-0.3, -1.0, 1.5);
-        const pic::Fit how{.margin = 0.05, .up = Vector3::UnitZ()};
-        pic::Drawing left = orbits(few, euler_path, pic::palette::explicit_euler),
-                     right = orbits(many, verlet_path, pic::palette::symplectic);
-        left.title("Euler, 1000 steps a year"), right.title("Verlet, 100 steps a year");
-        return {{{left, pic::fit(left, from, half, how), half},
-                 {right, pic::fit(right, from, half, how), half}}};
     });
 }
 
@@ -216,7 +170,7 @@ void cover(lab::Report& report) {
 void pictures(lab::Report& report) {
     straight_line_picture(report);
     throw_picture(report);
-    planet_picture(report);
+    live::draw_stills(report);
     game_loop_picture(report);
     cover(report);
 }

@@ -27,6 +27,7 @@ std::string words(const Note& note, const std::string& drawn_line) {
     line("scene", note.scene);
     line("method", note.method);
     line("dt", note.dt);
+    line("states", note.states);
     for (const NotedNumber& n : note.numbers) {
         out += n.name + " = " + number(n.value) + (n.unit.empty() ? "" : " " + n.unit) + "\n";
     }

@@ -1,6 +1,7 @@
 // browse.cjs BOOK: opens every page of the woven book from disk in headless Chromium, on a phone, a small and a wide
 // screen, light and dark. A page fails by: a console message or an exception, a request that fails or leaves the book's
-// folder, a script, sideways scrolling, a formula or picture that is cut off, a link or anchor that leads nowhere, text too faint for its paper.
+// folder, a script that is no file of the book, sideways scrolling, a formula or picture that is cut off, a link or anchor
+// that leads nowhere, text too faint for its paper.
 // Exit code 77 (skipped) without Chromium, unless CI=true: there it must be present.
 'use strict';
 const {spawn, execFileSync} = require('child_process');

@@ -38,7 +38,7 @@ struct Setting {
 
 /// A place that the text speaks of: a setting and a moment. The first one is the figure's still.
 struct State {
-    std::string key{};    ///< the page's link says it; its still is NAME.KEY, the first one's NAME
+    std::string key{};    ///< the page's link says it; its still is NAME_KEY, the first one's NAME
     std::string words{};  ///< over its still and on its link, in a few words
     Setting setting{};
     double time = 0;                 ///< of the still, on the figure's clock
@@ -86,6 +86,7 @@ class Figure {
     /// @param part of the last step that is shown, 0 to 1: 1 is the newest state. What cannot be drawn between
     /// two steps takes no notice.
     virtual pic::Drawing drawing(double part) const = 0;
+    virtual pic::Size size() const { return {}; }          ///< of the still; the page keeps its shape
     virtual pic::Camera camera(pic::Size size) const = 0;  ///< before the reader turns it
     virtual std::vector<Number> numbers() const = 0;
     /// Every number of the physics: compared bit by bit between the program and the page.

@@ -22,6 +22,7 @@ struct Note {
     std::string method{};
     std::string dt{};                    ///< the step with its unit, e.g. "0.1 s"
     std::vector<NotedNumber> numbers{};  ///< final numbers
+    std::string states{};                ///< of a moving figure: what its page can put it into
 };
 
 /// Writes `file` (a .png) and its note, the same name ending in .txt; each appears whole or not at all.
