@@ -1,4 +1,5 @@
 // The pictures of chapter 4.
+#include <nutshell/chart/diagram.hpp>
 #include <nutshell/picture/picture.hpp>
 #include <nutshell/reflections.hpp>
 #include "drawings.hpp"
@@ -87,12 +88,14 @@ void along_and_across_picture(lab::Report& report) {
         arrow({0, 0, 0}, 1.75 * n, pic::palette::angular_velocity, "n");
         arrow({0, 0, 0}, p, pic::palette::ink, "p");
         arrow({0, 0, 0}, image, pic::palette::body, "p'");
-        arrow(along, p, pic::palette::ink, "across");
+        arrow(along, p, pic::palette::ink, "");
         arrow(along, along + n.cross(p), pic::palette::steel, "n × p");
         arrow(along, image, pic::palette::body, "");
         drawing.add(pic::Label{along + turned(0.62 * across, n, angle / 2), "θ",
                                pic::palette::angular_velocity});
-        drawing.add(pic::Label{0.5 * along + Vector3(-0.28, 0, 0), "along", pic::palette::ink});
+        drawing.add(pic::Label{0.5 * along + Vector3(-0.22, 0, 0), "along", pic::palette::ink});
+        drawing.add(pic::Label{along + 0.75 * across + Vector3(-0.05, -0.13, 0), "across",
+                               pic::palette::ink});
         return pic::Shot{drawing, pic::fit(drawing, {0.45, 0.42, 1})};
     });
 }
@@ -125,58 +128,57 @@ void printed_picture(lab::Report& report) {
     });
 }
 
-/// A flat letter F, so that a mirror image can be told from a turned one.
-void add_letter(pic::Drawing& drawing, const std::vector<Vector3>& mirrors, pic::Colour colour) {
-    const auto image = [&](Vector3 p) {
+/// The outline of a letter F after some mirrors: a mirror image can be told from a turned one.
+std::vector<chart::Place> letter(const std::vector<Vector3>& mirrors) {
+    std::vector<chart::Place> corners;
+    for (Vector3 p : {Vector3(1.0, 0.10, 0),
+                      {1.9, 0.10, 0},
+                      {1.9, 0.62, 0},
+                      {1.75, 0.62, 0},
+                      {1.75, 0.26, 0},
+                      {1.52, 0.26, 0},
+                      {1.52, 0.5, 0},
+                      {1.37, 0.5, 0},
+                      {1.37, 0.26, 0},
+                      {1.0, 0.26, 0}}) {
         for (const Vector3& mirror : mirrors) p = reflected(p, mirror);
-        return p;
-    };
-    const std::vector<std::pair<Vector3, Vector3>> strokes{{{1.1, 0.15, 0}, {1.9, 0.15, 0}},
-                                                           {{1.87, 0.15, 0}, {1.87, 0.55, 0}},
-                                                           {{1.5, 0.15, 0}, {1.5, 0.42, 0}}};
-    for (const auto& [from, to] : strokes)
-        drawing.add(
-            pic::Rod{.from = image(from), .to = image(to), .radius = 0.06, .colour = colour});
+        corners.push_back({p.x(), p.y()});
+    }
+    return corners;
 }
 
-void mirrors_picture(lab::Report& report) {
-    // seen along the axis z: the first mirror at 35 degrees, the second 40 further
-    const double first_at = 35 / degrees, between = 40 / degrees;
-    const Vector3 a = turned(y_axis, z_axis, first_at), b = turned(a, z_axis, between);
-    const pic::Note note{report.command(),
-                         "two mirrors",
-                         "reflections",
-                         "",
-                         {{"angle between the mirrors", between * degrees, "degrees"},
-                          {"angle of the turn", 2 * between * degrees, "degrees"}}};
-    pic::save(report.path("mirrors.png"), note, [&]() -> pic::Sheet {
-        pic::Drawing drawing;
-        drawing.no_ground();
-        const auto mirror = [&](double at, const char* name) {
-            const Vector3 along = turned(x_axis, z_axis, at);
-            drawing.add(pic::Box{.pose = placed(quaternion_about(z_axis, at), 1.15 * along),
-                                 .half_extents = {1.15, 0.02, 0.25},
-                                 .colour = pic::palette::steel});
-            drawing.add(pic::Label{2.45 * along, name, pic::palette::ink});
-        };
-        mirror(first_at, "first mirror"), mirror(first_at + between, "second mirror");
-        add_letter(drawing, {}, pic::palette::steel);
-        add_letter(drawing, {a}, pic::palette::explicit_euler);
-        add_letter(drawing, {a, b}, pic::palette::body);
-        const auto angle = [&](double r, double from, double to, const char* name,
-                               pic::Colour colour) {
-            drawing.add(pic::Trail{.points = arc({0, 0, 0}, z_axis, x_axis, r, from, to),
-                                   .colour = colour,
-                                   .width = 4});
-            drawing.add(pic::Label{turned(Vector3(r + 0.16, 0, 0), z_axis, (from + to) / 2), name,
-                                   colour});
-        };
-        angle(0.55, first_at, first_at + between, "θ/2", pic::palette::angular_velocity);
-        const double letter = std::atan2(0.3, 1.5);
-        angle(0.95, letter, letter + 2 * between, "θ", pic::palette::body);
-        return pic::Shot{
-            drawing, pic::fit(drawing, {0, 0.05, 1}, {960, 560}, {.margin = 0.05}), {960, 560}};
-    });
+/// Two mirrors seen along the line in which they meet, the first at `at`, the second `between`
+/// further [rad].
+chart::Diagram two_mirrors_diagram(double at, double between, const char* title) {
+    const auto place = [](double r, double angle) {
+        return chart::Place{r * std::cos(angle), r * std::sin(angle)};
+    };
+    const Vector3 a = turned(y_axis, z_axis, at), b = turned(a, z_axis, between);
+    chart::Diagram d;
+    d.title = title;
+    d.polygon(letter({}));
+    d.polygon(letter({a})).as_ghost();
+    d.polygon(letter({a, b}));
+    d.wall(place(2.15, at), place(0, 0)), d.wall(place(2.15, at + between), place(0, 0));
+    d.note(place(2.35, at), "1st"), d.note(place(2.35, at + between), "2nd");
+    d.angle({0, 0}, 0.5, at, at + between, "θ/2");
+    const double foot = std::atan2(0.10, 1.0);
+    d.arc({0, 0}, 0.95, foot, foot + 2 * between, chart::Quantity::angular_velocity, "θ");
+    return d;
+}
+
+void mirrors_diagram(lab::Report& report) {
+    const double between = 40 / degrees;
+    chart::Diagrams both;
+    both.title = "Two mirrors make a turn, by twice the angle between them";
+    both.subtitle =
+        "Pale: the letter after the first mirror. Only the angle between the mirrors counts.";
+    both.panels = {two_mirrors_diagram(30 / degrees, between, "mirrors 40° apart: a turn by 80°"),
+                   two_mirrors_diagram(42 / degrees, between, "both turned on: the same turn")};
+    chart::write_svg(both, report.path("mirrors.svg"));
+    report.number("mirrors.between", between * degrees, "degrees");
+    const Vector3 a = turned(y_axis, z_axis, 0.3), b = turned(a, z_axis, between);
+    report.number("mirrors.turn", logarithm(two_mirrors(a, b)).norm() * degrees, "degrees");
 }
 
 void way_picture(lab::Report& report) {
@@ -207,15 +209,15 @@ void way_picture(lab::Report& report) {
 }
 
 void gimbal_picture(lab::Report& report) {
-    const pic::Note note{report.command(), "gimbals", "pitch 20 and 90 degrees", "", {}};
+    const pic::Note note{report.command(), "gimbals", "pitch 35 and 90 degrees", "", {}};
     pic::save(report.path("gimbals.png"), note, [&]() -> pic::Sheet {
         const pic::Size half{520, 520};
-        pic::Drawing free = gimbals({0.4, -20 / degrees, 0.3}),
-                     locked = gimbals({0.4, -90 / degrees, 0.3});
+        pic::Drawing free = gimbals({0.5, -35 / degrees, 0.3}),
+                     locked = gimbals({0.5, -90 / degrees, 0.3});
         for (pic::Drawing* drawing : {&free, &locked})
             drawing->no_ground().stage({{0, 0.2, 0}, 2.2});
-        free.title("pitch 20°: three axes"), locked.title("pitch 90°: two");
-        const Vector3 from(0.9, 0.45, 1);
+        free.title("pitch 35°: three axes"), locked.title("pitch 90°: two");
+        const Vector3 from(-0.5, 0.75, 1);
         return {{{free, pic::fit(free, from, half), half},
                  {locked, pic::fit(locked, from, half), half}}};
     });
@@ -227,7 +229,7 @@ void pictures(lab::Report& report) {
     order_picture(report);
     along_and_across_picture(report);
     printed_picture(report);
-    mirrors_picture(report);
+    mirrors_diagram(report);
     way_picture(report);
     gimbal_picture(report);
 }
