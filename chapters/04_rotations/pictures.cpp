@@ -1,5 +1,6 @@
 // The pictures of chapter 4.
 #include <nutshell/chart/diagram.hpp>
+#include <nutshell/live/stills.hpp>
 #include <nutshell/picture/picture.hpp>
 #include <nutshell/reflections.hpp>
 #include "drawings.hpp"
@@ -11,55 +12,7 @@ namespace nutshell {
 namespace {
 
 constexpr double degrees = 180 / pi;
-const Vector3 x_axis = Vector3::UnitX(), y_axis = Vector3::UnitY(), z_axis = Vector3::UnitZ();
-
-/// The book before, between and after two quarter turns; each image shows the axis it turns about
-/// next.
-pic::Drawing two_turns(const Vector3& first, const char* first_name, const Vector3& then,
-                       const char* then_name, pic::Colour colour) {
-    const Quaternion one = quaternion_about(first, pi / 2),
-                     both = product(quaternion_about(then, pi / 2), one);
-    pic::Drawing drawing;
-    drawing.no_ground();
-    const double apart = 2.5;
-    const auto axis = [&](const Vector3& at, const Vector3& along, const char* name) {
-        drawing.add(pic::Arrow{.from = at - 1.05 * along,
-                               .vector = 2.1 * along,
-                               .colour = pic::palette::angular_velocity,
-                               .label = name});
-        const Vector3 side = along.cross(Vector3(0.3, 0.8, 1)).normalized();
-        drawing.add(pic::Trail{.points = arc(at + 0.75 * along, along, side, 0.3, 0, 1.5 * pi),
-                               .colour = pic::palette::angular_velocity,
-                               .width = 4});
-    };
-    drawing.add(book(four_vector({0, 0, 0}, 1), {0, 0, 0}, colour));
-    axis({0, 0, 0}, first, first_name);
-    drawing.add(book(one, {apart, 0, 0}, colour));
-    axis({apart, 0, 0}, then, then_name);
-    drawing.add(book(both, {2 * apart, 0, 0}, colour));
-    return drawing;
-}
-
-void order_picture(lab::Report& report) {
-    const TwoQuarterTurns scene;
-    const pic::Note note{report.command(),
-                         "two quarter turns",
-                         "4-vectors",
-                         "",
-                         {{"apart at the end", scene.apart() * degrees, "degrees"}}};
-    pic::save(report.path("order.png"), note, [&]() -> pic::Sheet {
-        const pic::Size size{960, 420};
-        pic::Drawing above = two_turns(x_axis, "x", z_axis, "z", pic::palette::body),
-                     below = two_turns(z_axis, "z", x_axis, "x", pic::palette::gold);
-        above.title("a quarter turn about x, then one about z");
-        below.title("a quarter turn about z, then one about x");
-        const pic::Fit how{.margin = 0.04};
-        const Vector3 from(0.35, 0.45, 1);
-        return {{{above, pic::fit(above, from, size, how), size},
-                 {below, pic::fit(below, from, size, how), size}},
-                1};
-    });
-}
+const Vector3 y_axis = Vector3::UnitY(), z_axis = Vector3::UnitZ();
 
 void along_and_across_picture(lab::Report& report) {
     const Vector3 n = y_axis, p = Vector3(1.0, 1.1, 0.35);
@@ -181,57 +134,13 @@ void mirrors_diagram(lab::Report& report) {
     report.number("mirrors.turn", logarithm(two_mirrors(a, b)).norm() * degrees, "degrees");
 }
 
-void way_picture(lab::Report& report) {
-    const TwoPoses scene;
-    const pic::Note note{report.command(),
-                         "between two poses",
-                         "slerp, nlerp, three angles",
-                         "",
-                         {{"way", angle_between(scene.from, scene.to) * degrees, "degrees"}}};
-    pic::save(report.path("way.png"), note, [&]() -> pic::Sheet {
-        pic::Drawing drawing;
-        drawing.no_ground();
-        drawing.add(
-            pic::Ball{.radius = 0.97, .colour = pic::palette::ground, .look = pic::Look::solid});
-        add_way(
-            drawing, [&](double s) { return slerp(scene.from, scene.to, s); },
-            pic::palette::exponential, 1.0, "slerp");
-        add_way(
-            drawing, [&](double s) { return nlerp(scene.from, scene.to, s); },
-            pic::palette::symplectic, 1.02, "nlerp");
-        add_way(
-            drawing, [&](double s) { return scene.by_angles(s); }, pic::palette::explicit_euler,
-            1.0, "three angles");
-        const Vector3 middle = rotate(scene.by_angles(0.5), z_axis) +
-                               rotate(slerp(scene.from, scene.to, 0.5), z_axis);
-        return pic::Shot{drawing, pic::fit(drawing, middle, {720, 600}), {720, 600}};
-    });
-}
-
-void gimbal_picture(lab::Report& report) {
-    const pic::Note note{report.command(), "gimbals", "pitch 35 and 90 degrees", "", {}};
-    pic::save(report.path("gimbals.png"), note, [&]() -> pic::Sheet {
-        const pic::Size half{520, 520};
-        pic::Drawing free = gimbals({0.5, -35 / degrees, 0.3}),
-                     locked = gimbals({0.5, -90 / degrees, 0.3});
-        for (pic::Drawing* drawing : {&free, &locked})
-            drawing->no_ground().stage({{0, 0.2, 0}, 2.2});
-        free.title("pitch 35°: three axes"), locked.title("pitch 90°: two");
-        const Vector3 from(-0.5, 0.75, 1);
-        return {{{free, pic::fit(free, from, half), half},
-                 {locked, pic::fit(locked, from, half), half}}};
-    });
-}
-
 }  // namespace
 
 void pictures(lab::Report& report) {
-    order_picture(report);
+    live::draw_stills(report);
     along_and_across_picture(report);
     printed_picture(report);
     mirrors_diagram(report);
-    way_picture(report);
-    gimbal_picture(report);
 }
 
 }  // namespace nutshell
