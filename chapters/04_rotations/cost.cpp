@@ -46,11 +46,10 @@ struct Arrays {
     }
 };
 
-void turning(lab::Report& report) {
+chart::Chart turning(lab::Report& report) {
     lab::Table data{{"points", "matrix_ns", "four_vector_ns", "floor_ns"}, {}};
     chart::Chart chart;
-    chart.title = "Turning points: a matrix is cheaper, until memory is the limit";
-    chart.subtitle = "One pose, many points, arrays, one core. Down is better.";
+    chart.title = "one pose turns many points";
     chart.x = {"points", chart::Scale::logarithmic};
     chart.y = {"time per point [ns]", chart::Scale::logarithmic};
     chart::Series matrix{"matrix, made once"}, four{"4-vector"}, floor{"floor: in and out"};
@@ -85,14 +84,13 @@ void turning(lab::Report& report) {
     }
     chart.series = {matrix, four, floor};
     report.data("cost_turning.csv", data);
-    chart::write_svg(chart, report.path("cost_turning.svg"));
+    return chart;
 }
 
-void composing(lab::Report& report) {
+chart::Chart composing(lab::Report& report) {
     lab::Table data{{"poses", "matrix_ns", "four_vector_ns", "unit_four_vector_ns"}, {}};
     chart::Chart chart;
-    chart.title = "Composing poses: four numbers instead of nine";
-    chart.subtitle = "Each pose turned by its own turn, arrays, one core. Down is better.";
+    chart.title = "each pose is turned by its own turn";
     chart.x = {"poses", chart::Scale::logarithmic};
     chart.y = {"time per pose [ns]", chart::Scale::logarithmic};
     chart::Series matrix{"matrix"}, four{"4-vector"}, unit{"4-vector, normalised"};
@@ -123,7 +121,7 @@ void composing(lab::Report& report) {
     }
     chart.series = {matrix, four, unit};
     report.data("cost_composing.csv", data);
-    chart::write_svg(chart, report.path("cost_composing.svg"));
+    return chart;
 }
 
 /// A pose that changes every time, with k points on it: rotate each, or make a matrix first.
@@ -179,8 +177,12 @@ void when_to_convert(lab::Report& report) {
 
 void cost(lab::Report& report) {
     report.heading("What it costs");
-    turning(report);
-    composing(report);
+    chart::Figure figure;
+    figure.title = "A matrix for points, a 4-vector for poses";
+    figure.subtitle =
+        "Arrays, one core; what memory costs is on the right of each. Down is better.";
+    figure.panels = {turning(report), composing(report)};
+    chart::write_svg(figure, report.path("cost.svg"));
     when_to_convert(report);
 }
 

@@ -19,18 +19,18 @@ class LiveGrowing : public live::Figure {
     }
     std::vector<live::State> states() const override {
         return {{.key = "printed",
-                 .words = "as printed, after 1 step",
+                 .words = "as printed, 1/10 turn",
                  .setting = {0, {40}},
-                 .time = 1.0 / 40},
+                 .time = 0.1},
                 {.key = "rows",
-                 .words = "rows put right, 2 turns",
+                 .words = "rows put right, 1 turn",
                  .setting = {1, {40}},
-                 .time = 2,
+                 .time = 1,
                  .drawn = true},
                 {.key = "divided",
-                 .words = "and divided, 2 turns",
+                 .words = "and divided, 1 turn",
                  .setting = {2, {40}},
-                 .time = 2,
+                 .time = 1,
                  .drawn = true}};
     }
     void begin(const live::Setting& setting) override {
@@ -72,7 +72,9 @@ class LiveGrowing : public live::Figure {
     }
     pic::Size size() const override { return {420, 420}; }
     pic::Camera camera(pic::Size size) const override {
-        return pic::fit(drawing(1), {0.5, 0.6, 1}, size);
+        pic::Drawing room;
+        room.add(pic::Ball{.radius = 1.7});
+        return pic::fit(room, {0.5, 0.6, 1}, size, {.margin = 0.02});
     }
     std::vector<live::Number> numbers() const override {
         const Quaternion exact = quaternion_about(axis_, 2 * pi * time());

@@ -61,7 +61,10 @@ class LiveOrder : public live::Figure {
     }
     pic::Size size() const override { return {420, 560}; }
     pic::Camera camera(pic::Size size) const override {
-        return pic::fit(drawing(1), {0.35, 0.4, 1}, size, {.margin = 0.03});
+        pic::Drawing room;
+        for (const double y : {0.95, -0.95})
+            room.add(pic::Ball{.centre = {0, y, 0}, .radius = 0.95});
+        return pic::fit(room, {0.35, 0.4, 1}, size, {.margin = 0.02});
     }
     std::vector<live::Number> numbers() const override { return {{"apart", apart(), "°"}}; }
     std::vector<double> state() const override { return {angle_, time()}; }
