@@ -8,6 +8,7 @@ int main(int argc, char** argv) {
         nutshell::planet(report);
         nutshell::frame_rate(report);
         nutshell::game_loop(report);
+        nutshell::diagrams(report);
         nutshell::pictures(report);
     });
 }

@@ -10,6 +10,7 @@ void thrown_ball(lab::Report& report);
 void planet(lab::Report& report);
 void frame_rate(lab::Report& report);
 void game_loop(lab::Report& report);
+void diagrams(lab::Report& report);
 void pictures(lab::Report& report);
 
 }  // namespace nutshell

@@ -12,6 +12,7 @@ void raindrop(lab::Report& report);
 void rocket(lab::Report& report);
 void launch(lab::Report& report);
 void momentum_books(lab::Report& report);
+void diagrams(lab::Report& report);
 void pictures(lab::Report& report);
 
 }  // namespace nutshell

@@ -11,6 +11,7 @@ int main(int argc, char** argv) {
                                       nutshell::rocket(report);
                                       nutshell::launch(report);
                                       nutshell::momentum_books(report);
+                                      nutshell::diagrams(report);
                                       nutshell::pictures(report);
                                   });
 }

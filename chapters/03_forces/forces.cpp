@@ -26,6 +26,7 @@ int main(int argc, char** argv) {
         nutshell::limits(report);
         nutshell::planet_again(report);
         nutshell::model_ladder(report);
+        nutshell::diagrams(report);
         nutshell::pictures(report);
         nutshell::announce_comparison(report);
         nutshell::chains_and_cloths(report);

@@ -10,6 +10,7 @@ void springs(lab::Report& report);       // the scene that sorts the methods; th
 void limits(lab::Report& report);        // stability, predicted and found
 void planet_again(lab::Report& report);  // step control, high order, the logarithmic leapfrog
 void model_ladder(lab::Report& report);  // a throw with three models of drag
+void diagrams(lab::Report& report);
 void pictures(lab::Report& report);
 
 }  // namespace nutshell

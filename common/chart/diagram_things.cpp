@@ -80,6 +80,9 @@ void draw_shape(Pen& pen, const Diagram::Shape& shape) {
     }
     const Line line = pen.line(shape.points);
     pen.keep_off(line);
+    if (shape.closed)  // words stay off the inside too
+        for (std::size_t i = 0; i < line.size(); ++i)
+            for (std::size_t k = i + 1; k < line.size(); ++k) pen.keep_off({line[i], line[k]});
     pen.out += open + path({simplified(line, 0.15)}, shape.closed) + "'/>\n";
 }
 
