@@ -106,14 +106,63 @@ function Page.chapters()
     return list
 end
 
---- The chapters with what they are about, for the front page.
+--- A chapter's question: the last sentence of its first box of that kind that asks.
+local function question_of(page)
+    local asked
+    page.doc:walk {Div = function(d)
+        if d.classes[1] ~= "question" or asked then return end
+        for sentence in pandoc.utils.stringify(d):gmatch("[^.?!]+[.?!]") do
+            if sentence:sub(-1) == "?" then asked = sentence:match("^%s*(.*)$") end
+        end
+    end}
+    return asked
+end
+
+--- How long it takes, in half hours: 180 words and a fifth of a picture a minute, twelve minutes an exercise.
+local function hours_of(page)
+    local words, pictures, exercises = 0, 0, 0
+    page.doc:walk {
+        Str = function() words = words + 1 end,
+        Image = function() pictures = pictures + 1 end,
+        Div = function(d) if d.identifier:find("^ex:") then exercises = exercises + 1 end end,
+    }
+    local halves = math.max(1, math.floor((words / 180 + pictures * 5 + exercises * 12) / 30 + 0.5))
+    local whole = halves // 2
+    return "about " .. (whole > 0 and whole or "") .. (halves % 2 == 1 and "½" or "") .. (halves <= 2 and " hour" or " hours")
+end
+
+--- Its first picture, small; nothing where none was drawn.
+local function thumbnail_of(page)
+    local found = ""
+    page.doc:walk {Image = function(i)
+        local stem = found == "" and i.src:match("^([%w_]+)%.png$")
+        if not stem then return end
+        local from, to = Book.results .. "/" .. page.results .. "/" .. stem, "pictures/" .. page.results .. "/" .. stem
+        local light, dark = Page.read(from .. ".1.jpg", true), Page.read(from .. ".1.dark.jpg", true)
+        if not light or not dark then return end
+        Page.write(to .. ".1.jpg", light)
+        Page.write(to .. ".1.dark.jpg", dark)
+        found = ('<picture><source media="screen and (prefers-color-scheme: dark)" srcset="%s.1.dark.jpg"><img src="%s.1.jpg" alt=""></picture>')
+            :format(to, to)
+    end}
+    return found
+end
+
+--- The chapters for the front page: a card each, with picture, question and time.
 function Page.chapter_list()
     local items = {}
     for _, c in ipairs(Page.chapters()) do
-        local title = Page.escape(c.page and c.page.title or c.title)
-        local name = c.page and ('<a href="%s.html">%s</a>'):format(c.page.name, title) or title .. " <i>(coming)</i>"
-        items[#items + 1] = ('<li class="%s"><span class="no">%s</span><div><b>%s</b> %s</div></li>')
-            :format(c.page and "here" or "coming", c.number, name, Page.escape(c.about))
+        local page, title = c.page, Page.escape(c.page and c.page.title or c.title)
+        local asked = c.about:match("^[^.?]+%?") or page and question_of(page)
+        local about = c.about:gsub("^[^.?]+%?%s*", "")
+        local lines = {page and thumbnail_of(page) or "",
+            ('<span class="name"><span class="no">%s</span> %s%s</span>'):format(c.number, title, page and "" or " <i>(coming)</i>"),
+            asked and ('<span class="asks">%s</span>'):format(Page.escape(asked)) or "",
+            ('<span class="about">%s</span>'):format(Page.escape(about)),
+            page and ('<span class="time">%s</span>'):format(hours_of(page)) or ""}
+        local inside = table.concat(lines)
+        items[#items + 1] = page and ('<li class="here"><a href="%s.html">%s</a></li>'):format(page.name, inside)
+            or '<li class="coming">' .. inside .. "</li>"
     end
     return pandoc.RawBlock("html", '<ol class="chapter-list">' .. table.concat(items) .. "</ol>")
 end
