@@ -34,6 +34,15 @@
         mark();
     }
 
+    // --- what scrolls sideways can be scrolled from the keyboard --------------------------------------------------------
+    function reachable() {
+        for (const e of document.querySelectorAll('.scroll, .katex-display, main pre'))
+            if (e.scrollWidth > e.clientWidth + 1) e.tabIndex = 0;
+    }
+    reachable();
+    addEventListener('resize', reachable);
+    addEventListener('toggle', reachable, true);
+
     // --- search -----------------------------------------------------------------------------------------------------
     const plain = text => text.normalize('NFKD').replace(/[\u0300-\u036f]/g, '').toLowerCase();
     let index = null;

@@ -246,6 +246,7 @@ function Page.write_source(path)
     local text = Book.sources[path]:gsub("\n$", "")
     local block = pandoc.CodeBlock(text, {id = "L", class = Regions.language(path) .. " numberLines lineAnchors"})
     local code = pandoc.write(pandoc.Pandoc {block}, "html5")
+    code = code:gsub('<a href="(#L%-%d+)"[^>]*></a>', '<a href="%1" tabindex="-1" aria-hidden="true"></a>')  -- a line's number
     local up = "../" .. path:gsub("[^/]+", ".."):gsub("%.%.$", "")
     Page.write("source/" .. path .. ".html", fill {
         title = Page.escape(path), base = up, class = "source", body = "<h1>" .. Page.escape(path) .. "</h1>" .. code,

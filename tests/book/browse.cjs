@@ -2,53 +2,12 @@
 // screen, light and dark. A page fails by: a console message or an exception, a request that fails or leaves the book's
 // folder, a script that is no file of the book, sideways scrolling, a formula or picture that is cut off, a link or anchor
 // that leads nowhere, text too faint for its paper.
-// Exit code 77 (skipped) without Chromium, unless CI=true: there it must be present.
 'use strict';
-const {spawn, execFileSync} = require('child_process');
-const fs = require('fs'), os = require('os'), path = require('path'), url = require('url');
+const fs = require('fs'), path = require('path'), url = require('url');
+const {pages_of, run} = require('./chromium.cjs');
 
 const book = path.resolve(process.argv[2]);
-const browser = ['chromium', 'chromium-browser', 'google-chrome'].find(name => {
-    try { execFileSync('sh', ['-c', `command -v ${name}`]); return true; } catch { return false; }
-});
-if (!browser) {
-    console.log('no Chromium here (apt-get install chromium): the pages were not opened');
-    process.exit(process.env.CI === 'true' ? 1 : 77);
-}
-
-const pages = [];
-(function collect(folder) {
-    for (const entry of fs.readdirSync(folder, {withFileTypes: true})) {
-        const full = path.join(folder, entry.name);
-        if (entry.isDirectory()) collect(full);
-        else if (entry.name.endsWith('.html')) pages.push(full);
-    }
-})(book);
-
-// --- the browser, by its debugging pipe: JSON messages that end in NUL -----------------------------------------------
-const profile = fs.mkdtempSync(path.join(os.tmpdir(), 'browse_'));
-const chromium = spawn(browser, ['--headless=new', '--disable-gpu', '--no-first-run', '--disable-dev-shm-usage',
-    '--disable-background-networking', '--hide-scrollbars',
-    '--remote-debugging-pipe', `--user-data-dir=${profile}`, ...(process.getuid() === 0 ? ['--no-sandbox'] : []), 'about:blank'],
-    {stdio: ['ignore', 'ignore', 'ignore', 'pipe', 'pipe']});
-const waiting = new Map(), heard = [];
-let next = 0, rest = Buffer.alloc(0);
-chromium.stdio[4].on('data', data => {
-    rest = Buffer.concat([rest, data]);
-    for (let end; (end = rest.indexOf(0)) >= 0; rest = rest.subarray(end + 1)) {
-        const message = JSON.parse(rest.subarray(0, end));
-        if (message.id) { waiting.get(message.id)(message); waiting.delete(message.id); }
-        else for (const hear of [...heard]) hear(message);
-    }
-});
-const ask = (method, params = {}, sessionId) => new Promise((resolve, reject) => {
-    const id = ++next;
-    waiting.set(id, m => m.error ? reject(new Error(`${method}: ${m.error.message}`)) : resolve(m.result));
-    chromium.stdio[3].write(JSON.stringify({id, method, params, sessionId}) + '\0');
-});
-const event = name => new Promise(resolve => heard.push(function hear(m) {
-    if (m.method === name) { heard.splice(heard.indexOf(hear), 1); resolve(m.params); }
-}));
+const pages = pages_of(book);
 
 // --- what a page is asked, inside the browser ------------------------------------------------------------------------
 function examine(width, inside) {
@@ -86,25 +45,43 @@ function examine(width, inside) {
         }
     }
     for (const e of document.querySelectorAll('.katex-error')) bad.push(`a formula was not set: ${who(e)}`);
-    // Contrast of the text with the page's paper (WCAG: 4.5).
-    const linear = v => (v /= 255) <= .03928 ? v / 12.92 : ((v + .055) / 1.055) ** 2.4;
+    // Contrast of each kind of text with what lies behind it (WCAG: 4.5, 3 for large letters).
+    const linear = v => v <= .03928 ? v / 12.92 : ((v + .055) / 1.055) ** 2.4;
     const light = ([r, g, b]) => .2126 * linear(r) + .7152 * linear(g) + .0722 * linear(b);
-    const rgb = c => (c.match(/[\d.]+/g) || []).slice(0, 3).map(Number);
-    const paper = light(rgb(getComputedStyle(document.body).backgroundColor));
-    for (const e of document.querySelectorAll('main p, main li, main a, figcaption, h1, h2, svg.chart .title')) {
-        const style = getComputedStyle(e), ink = light(rgb(e.closest('svg') ? style.fill : style.color));
-        const ratio = (Math.max(ink, paper) + .05) / (Math.min(ink, paper) + .05);
-        if (ratio < 4.5) { bad.push(`too faint (${ratio.toFixed(1)}): ${who(e)}`); break; }
+    const rgba = c => {                                 // rgb(…), rgba(…) or color(srgb …), each from 0 to 1
+        const n = (c.match(/[\d.]+(e-?\d+)?/g) || [0, 0, 0, 0]).map(Number), whole = c.startsWith('color') ? 1 : 255;
+        return [n[0] / whole, n[1] / whole, n[2] / whole, n.length > 3 ? n[3] : 1];
+    };
+    const over = (top, below) => [0, 1, 2].map(i => top[3] * top[i] + (1 - top[3]) * below[i]);
+    const behind = e => {
+        const layers = [];
+        for (; e; e = e.parentElement) layers.push(rgba(getComputedStyle(e).backgroundColor));
+        return layers.reverse().reduce((below, layer) => over(layer, below), [1, 1, 1]);
+    };
+    const paper = light(behind(document.body)), kinds = new Set();
+    for (const e of document.querySelectorAll('body *:not(script, style, title, desc, svg.chart :not(text, tspan))')) {
+        if (![...e.childNodes].some(n => n.nodeType === 3 && n.textContent.trim()) || !e.checkVisibility() || e.closest('.words, .katex-mathml')) continue;
+        const style = getComputedStyle(e), svg = e.closest('svg'), back = behind(svg ? svg.parentElement : e);
+        const ink = over(rgba(svg ? style.fill : style.color), back), kind = `${e.tagName} ${e.getAttribute('class') || ''} ${ink} ${back}`;
+        if (kinds.has(kind)) continue;
+        kinds.add(kind);
+        const a = light(ink), b = light(back), ratio = (Math.max(a, b) + .05) / (Math.min(a, b) + .05), size = parseFloat(style.fontSize);
+        const wanted = size >= 24 || (size >= 18.66 && style.fontWeight >= 700) ? 3 : 4.5;
+        if (ratio < wanted) bad.push(`too faint (${ratio.toFixed(2)}): ${who(e)}`);
+    }
+    // The keyboard: every stop has a name, and they come in the order of the page.
+    for (const e of document.querySelectorAll('a[href], button, input, select, textarea, summary, [tabindex]')) {
+        if (e.tabIndex < 0 || !e.checkVisibility()) continue;
+        if (e.tabIndex > 0) bad.push(`it is taken out of the page's order: ${who(e)}`);
+        const name = e.getAttribute('aria-label') || e.textContent.trim() || [...e.querySelectorAll('img')].map(i => i.alt).join('')
+            || e.closest('label')?.textContent.trim() || e.labels?.[0]?.textContent.trim();
+        if (!name) bad.push(`a stop of the keyboard without a name: ${who(e)}`);
     }
     return {bad, dark: paper < .2, ids: [...document.querySelectorAll('[id]')].map(e => e.id),
         links: [...document.querySelectorAll('a[href]')].map(a => a.href)};
 }
 
-async function main() {
-    const {targetInfos} = await ask('Target.getTargets');
-    const target = targetInfos.find(t => t.type === 'page').targetId;
-    const {sessionId} = await ask('Target.attachToTarget', {targetId: target, flatten: true});
-    const tell = (method, params) => ask(method, params, sessionId);
+async function main({tell, heard, event}) {
     for (const domain of ['Page', 'Runtime', 'Log', 'Network']) await tell(`${domain}.enable`);
 
     const inside = url.pathToFileURL(book).href + '/';
@@ -159,13 +136,4 @@ async function main() {
     return complaints.length && pages.length ? 1 : pages.length ? 0 : 1;
 }
 
-const clean_up = code => {
-    chromium.once('exit', () => {       // its helpers may still be writing for a moment; what stays in /tmp is no complaint
-        try { fs.rmSync(profile, {recursive: true, force: true, maxRetries: 20, retryDelay: 100}); } catch { }
-        process.exit(code);
-    });
-    chromium.kill();
-};
-const limit = setTimeout(() => { console.log('the browser did not answer in 4 minutes'); clean_up(1); }, 240000);
-chromium.on('error', e => { console.log(`cannot start ${browser}: ${e.message}`); process.exit(1); });
-main().then(code => { clearTimeout(limit); clean_up(code); }, e => { console.log(e.stack); clean_up(1); });
+run(main, 6);

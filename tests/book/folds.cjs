@@ -37,7 +37,7 @@ function unfolded(html) {
     }
     return out;
 }
-const main = html => html.slice(html.indexOf('<main>'), html.indexOf('</main>'));
+const main = html => html.slice(html.indexOf('<main'), html.indexOf('</main>'));
 const lines = html => new Set([...html.matchAll(/<pre[^>]*>([\s\S]*?)<\/pre>/g)].flatMap(m => plain(m[1]).split('\n').map(squeezed)));
 
 const bad = [], asked = new Set(), found = new Set();
