@@ -14,6 +14,31 @@ namespace {
 constexpr double degrees = 180 / pi;
 const Vector3 y_axis = Vector3::UnitY(), z_axis = Vector3::UnitZ();
 
+/// The book of the question, and the two axes it is to be turned about.
+void question_picture(lab::Report& report) {
+    const pic::Note note{report.command(), "the book of the question", "none yet", "", {}};
+    pic::save(report.path("question.png"), note, [&]() -> pic::Sheet {
+        pic::Drawing drawing;
+        drawing.no_ground();
+        drawing.add(book(four_vector({0, 0, 0}, 1), {0, 0, 0}, pic::palette::body));
+        const auto axis = [&](const Vector3& along, const char* name, pic::Colour colour) {
+            drawing.add(pic::Arrow{
+                .from = -0.9 * along, .vector = 2.1 * along, .colour = colour, .label = name});
+        };
+        axis(Vector3::UnitX(), "x", pic::palette::angular_velocity);
+        axis(z_axis, "z", pic::palette::angular_velocity);
+        axis(y_axis, "y", pic::palette::steel);
+        for (const Vector3& along : {Vector3(Vector3::UnitX()), Vector3(z_axis)})
+            drawing.add(pic::Trail{
+                .points =
+                    arc(0.95 * along, along, along.cross(Vector3(0.3, 0.8, 1)), 0.3, 0, 1.5 * pi),
+                .colour = pic::palette::angular_velocity,
+                .width = 4});
+        return pic::Shot{
+            drawing, pic::fit(drawing, {0.45, 0.4, 1}, {800, 420}, {.margin = 0.04}), {800, 420}};
+    });
+}
+
 void along_and_across_picture(lab::Report& report) {
     const Vector3 n = y_axis, p = Vector3(1.0, 1.1, 0.35);
     const double angle = 1.1;
@@ -138,6 +163,7 @@ void mirrors_diagram(lab::Report& report) {
 
 void pictures(lab::Report& report) {
     live::draw_stills(report);
+    question_picture(report);
     along_and_across_picture(report);
     printed_picture(report);
     mirrors_diagram(report);
