@@ -1,0 +1,159 @@
+// Chapter 7 · The contact solver: many contacts at once, by going round them again and again.
+// Each is given the impulse that it lacks, and never pulls.
+#pragma once
+#include <nutshell/impulse.hpp>
+
+namespace nutshell {
+
+// [mobile]
+/// How a body answers impulses at this moment.
+struct Mobility {
+    double inverse_mass = 0;                    ///< [1/kg]
+    Matrix3 inverse_inertia = Matrix3::Zero();  ///< [1/(kg m^2)], world axes
+};
+
+inline Mobility mobility_of(const Body& body) {
+    const Vector3& I = body.inertia;
+    if (I[0] == I[1] && I[1] == I[2])  // a ball's or a cube's does not turn with it
+        return {1 / body.mass, Vector3::Constant(1 / I[0]).asDiagonal()};
+    return {1 / body.mass, world_inverse_inertia(body)};
+}
+// [/mobile]
+
+// [pressed]
+/// A contact that the solver works on: between two points, one fixed to each body, each with a
+/// round skin (radius 0: none).
+struct PressedContact {
+    int a, b;                            ///< numbers of the bodies; -1 is the earth
+    int feature;                         ///< see Contact
+    bool balls;                          ///< both bodies are spheres: the normal turns with them
+    Vector3 normal;                      ///< from a to b, world axes
+    Vector3 lever_a, lever_b;            ///< from the centres to the contact [m], world axes
+    double separation;                   ///< [m]
+    double normal_mass, friction_mass;   ///< impulse per speed changed [kg]
+    double normal_impulse = 0;           ///< of this sub-step [N s], never negative
+    Vector3 friction = Vector3::Zero();  ///< of this sub-step [N s], across the normal
+    double closing = 0;                  ///< separating speed before this sub-step [m/s]
+    Vector3 anchor_a, anchor_b;          ///< the fixed points [m], body axes
+    double radius_a, radius_b;           ///< of the skins [m]
+};
+// [/pressed]
+
+// [masses]
+/// The largest that the mobility K is in the plane across n: the root of a quadratic equation. An
+/// impulse of the velocity over it, against the velocity, never overshoots, whatever its
+/// direction: friction without axes of its own.
+inline double largest_across(const Matrix3& K, const Vector3& n) {
+    const Vector3 Kn = K * n;
+    const double nn = n.dot(Kn), trace = K.trace() - nn;
+    const double squares = K.squaredNorm() - 2 * Kn.squaredNorm() + nn * nn;
+    return trace / 2 + std::sqrt(std::max(0.0, squares / 2 - trace * trace / 4));
+}
+
+/// Fixes a contact's points to its bodies, and asks both how they answer.
+inline void prepare(PressedContact& c, const Contact& found, const Body& a, const Body& b,
+                    const Mobility& of_a, const Mobility& of_b) {
+    c.normal = found.normal, c.separation = found.separation, c.feature = found.feature;
+    c.lever_a = found.point - a.position, c.lever_b = found.point - b.position;
+    const Vector3 half_gap = found.separation / 2 * found.normal;
+    c.anchor_a = rotate(inverse(a.orientation), c.lever_a - half_gap - c.radius_a * c.normal);
+    c.anchor_b = rotate(inverse(b.orientation), c.lever_b + half_gap + c.radius_b * c.normal);
+    const Matrix3 K = mobility(of_a.inverse_mass, of_a.inverse_inertia, c.lever_a) +
+                      mobility(of_b.inverse_mass, of_b.inverse_inertia, c.lever_b);
+    c.normal_mass = 1 / c.normal.dot(K * c.normal);
+    c.friction_mass = 1 / largest_across(K, c.normal);
+}
+
+/// Where the contact is after the bodies have moved: in the middle between its two points.
+inline void follow(PressedContact& c, const Body& a, const Body& b) {
+    if (c.balls) {
+        const Vector3 between = b.position - a.position;
+        const double distance = between.norm();
+        if (distance > 0) c.normal = between / distance;
+        c.separation = distance - c.radius_a - c.radius_b;
+        c.lever_a = (c.radius_a + c.separation / 2) * c.normal, c.lever_b = c.lever_a - between;
+        c.friction -= c.normal.dot(c.friction) * c.normal;
+        return;
+    }
+    const Vector3 at_a = a.position + rotate(a.orientation, c.anchor_a) + c.radius_a * c.normal;
+    const Vector3 at_b = b.position + rotate(b.orientation, c.anchor_b) - c.radius_b * c.normal;
+    const Vector3 middle = (at_a + at_b) / 2;
+    c.separation = c.normal.dot(at_b - at_a);
+    c.lever_a = middle - a.position, c.lever_b = middle - b.position;
+}
+// [/masses]
+
+// [push]
+/// Velocity of b's point seen from a's [m/s].
+inline Vector3 contact_velocity(const PressedContact& c, const Body& a, const Body& b,
+                                const Mobility& of_a, const Mobility& of_b) {
+    const Vector3 omega_a = of_a.inverse_inertia * a.angular_momentum,
+                  omega_b = of_b.inverse_inertia * b.angular_momentum;
+    return of_b.inverse_mass * b.momentum - of_a.inverse_mass * a.momentum +
+           omega_b.cross(c.lever_b) - omega_a.cross(c.lever_a);
+}
+
+/// The impulse J on b, its opposite on a.
+inline void apply_impulse(const PressedContact& c, Body& a, Body& b, const Vector3& J) {
+    a.momentum -= J, b.momentum += J;
+    a.angular_momentum -= c.lever_a.cross(J), b.angular_momentum += c.lever_b.cross(J);
+}
+// [/push]
+
+// [soft]
+/// A contact that overlaps, as a stiff and strongly damped spring, its step taken by implicit
+/// Euler: what is too deep comes out slowly, without a bounce.
+struct Softness {
+    double rate = 0;  ///< of the depth, undone per second [1/s]
+    double mass = 1;  ///< part of the contact's mass that answers
+    double fade = 0;  ///< part of the impulse so far that is given back
+};
+
+/// @param frequency  of the spring [1/s]    @param damping  ratio; 1 is critical
+/// Source: E. Catto, Soft Constraints, GDC 2011; Solver2D, 2024.
+inline Softness softness(double frequency, double damping, double h) {
+    const double omega = 2 * pi * frequency, c = 2 * damping + h * omega, k = h * omega * c;
+    return {omega / c, k / (1 + k), 1 / (1 + k)};
+}
+// [/soft]
+
+// [press]
+/// What the solver wants of all contacts in one pass.
+struct Press {
+    double h;                ///< sub-step [s]
+    double friction;         ///< mu
+    double restitution;      ///< e; 0 in a pass that pushes out
+    double slow;             ///< contacts that close in slower than this [m/s] do not bounce
+    Softness soft = {};      ///< of contacts that overlap
+    double fastest_out = 3;  ///< what overlaps comes out no faster [m/s]
+};
+
+/// One contact's turn: the impulse that makes it neither close in nor slide, added to what it had
+/// so far; the sum never pulls, and its friction never exceeds mu times its normal impulse,
+/// whatever its direction.
+inline void press(PressedContact& c, Body& a, Body& b, const Mobility& of_a, const Mobility& of_b,
+                  const Press& want) {
+    const Vector3 u = contact_velocity(c, a, b, of_a, of_b);
+    const double s = c.normal.dot(u);
+
+    double speed = 0, mass = 1, fade = 0;  // the separating speed that is wanted
+    if (c.separation > 0)
+        speed = -c.separation / want.h;  // it may close in just so fast that it touches
+    else if (want.soft.rate > 0)
+        speed = std::min(-want.soft.rate * c.separation, want.fastest_out), mass = want.soft.mass,
+        fade = want.soft.fade;
+    if (want.restitution > 0 && c.closing < -want.slow && c.normal_impulse > 0)
+        speed = -want.restitution * c.closing;
+
+    const double normal =
+        std::max(0.0, (1 - fade) * c.normal_impulse + mass * c.normal_mass * (speed - s));
+    Vector3 friction = c.friction - c.friction_mass * (u - s * c.normal);
+    const double limit = want.friction * normal, square = friction.squaredNorm();
+    if (square > limit * limit) friction *= limit / std::sqrt(square);
+
+    apply_impulse(c, a, b, (normal - c.normal_impulse) * c.normal + (friction - c.friction));
+    c.normal_impulse = normal, c.friction = friction;
+}
+// [/press]
+
+}  // namespace nutshell

@@ -1,0 +1,220 @@
+// Chapter 7 · The engine: kick, collide, drift, for any number of bodies that touch.
+#pragma once
+#include <nutshell/contact_solver.hpp>
+#include <nutshell/contacts.hpp>
+#include <nutshell/grid.hpp>
+
+namespace nutshell {
+
+// [world]
+/// Bodies in a room. A value: copy it, and there are two.
+struct World {
+    std::vector<Body> bodies = {};
+    std::vector<Shape> shapes = {};  ///< one for each body
+    std::vector<Plane> walls = {};
+    Body earth = immovable_body();  ///< what the walls belong to; it takes their impulses
+    Vector3 gravity{0, -9.81, 0};   ///< [m/s^2]
+    Surface surface{0, 0.5};        ///< of everything
+
+    void add(const Body& body, const Shape& shape) {
+        bodies.push_back(body), shapes.push_back(shape);
+    }
+};
+// [/world]
+
+// [switches]
+/// What the engine does; each idea is a switch.
+struct Switches {
+    int sub_steps = 4;
+    int passes = 1;          ///< round all contacts, in each sub-step
+    int relaxing = 1;        ///< passes after the drift, which take out the speed of pushing out
+    bool warm_start = true;  ///< begin with the impulses of the last sub-step
+    bool grid = true;        ///< look for contacts next door only; off: every pair
+    bool soft = true;        ///< what overlaps is pushed out; off: it only stops closing in
+    double stiffness = 0.2;  ///< frequency of the soft contacts times the sub-step
+    double damping = 10;     ///< their damping ratio
+    double near = 0.1;       ///< contacts are kept from this gap on, times the smallest reach
+};
+// [/switches]
+
+// [engine]
+/// What is kept from step to step: the contacts with their impulses, and room. One per run.
+class Engine {
+  public:
+    explicit Engine(const Switches& switches = {}) : on(switches) {}
+    const Switches on;
+
+    /// One step of dt [s].
+    [[gnu::flatten]] void step(World& world, double dt) {
+        find_contacts_of(world, dt);
+        const double h = dt / on.sub_steps, g = world.gravity.norm();
+        Press push{h, world.surface.friction, 0, 0};
+        if (on.soft) push.soft = softness(on.stiffness / h, on.damping, h);
+        const Press relax{h, world.surface.friction, world.surface.restitution, 2 * g * h};
+        for (int k = 0; k < on.sub_steps; ++k) {
+            for (Body& body : world.bodies)
+                if (body.mass < immovable) kick(body, weight(body, world), h);
+            start_contacts(world);
+            for (int pass = 0; pass < on.passes; ++pass) press_all(world, push);
+            for (Body& body : world.bodies)
+                if (body.mass < immovable) drift(body, h);
+            follow_all(world);
+            for (int pass = 0; pass < on.relaxing; ++pass) press_all(world, relax);
+        }
+    }
+    /// The contacts of the last step.
+    const std::vector<PressedContact>& contacts() const { return contacts_; }
+
+  private:
+    std::vector<PressedContact> contacts_, last_;
+    std::vector<Contact> found_;
+    std::vector<Mobility> mobility_;  // of each body, after the earth's
+    std::vector<Vector3> places_;
+    std::vector<double> reach_, speed_;
+    std::vector<std::uint32_t> table_;  // contacts of the last step by bodies and feature
+    Grid grid_;
+
+    static Wrench weight(const Body& body, const World& world) {
+        Wrench push;
+        push.force = body.mass * world.gravity;
+        return push;
+    }
+    static Body& body_of(World& world, int i) {
+        return i < 0 ? world.earth : world.bodies[static_cast<std::size_t>(i)];
+    }
+    Mobility& mobility_at(int i) { return mobility_[static_cast<std::size_t>(i + 1)]; }
+
+    template <class Visit>
+    void each_contact(World& world, const Visit& visit) {
+        for (PressedContact& c : contacts_)
+            visit(c, body_of(world, c.a), body_of(world, c.b), mobility_at(c.a),
+                  mobility_at(c.b));
+    }
+    void press_all(World& world, const Press& want) {
+        each_contact(world, [&](PressedContact& c, Body& a, Body& b, const Mobility& of_a,
+                                const Mobility& of_b) { press(c, a, b, of_a, of_b, want); });
+    }
+    void start_contacts(World& world) {
+        each_contact(world, [&](PressedContact& c, Body& a, Body& b, const Mobility& of_a,
+                                const Mobility& of_b) {
+            if (world.surface.restitution > 0)
+                c.closing = c.normal.dot(contact_velocity(c, a, b, of_a, of_b));
+            if (!on.warm_start) c.normal_impulse = 0, c.friction.setZero();
+        });
+        if (!on.warm_start) return;
+        each_contact(world,
+                     [](PressedContact& c, Body& a, Body& b, const Mobility&, const Mobility&) {
+                         apply_impulse(c, a, b, c.normal_impulse * c.normal + c.friction);
+                     });
+    }
+    void follow_all(World& world) {
+        for (std::size_t i = 0; i < world.bodies.size(); ++i)
+            mobility_[i + 1] = mobility_of(world.bodies[i]);
+        each_contact(world, [](PressedContact& c, Body& a, Body& b, const Mobility&,
+                               const Mobility&) { follow(c, a, b); });
+    }
+
+    void find_contacts_of(World& world, double dt) {
+        const std::size_t n = world.bodies.size();
+        last_.swap(contacts_), contacts_.clear();
+        remember();
+        mobility_.resize(n + 1), places_.resize(n), reach_.resize(n), speed_.resize(n);
+        mobility_[0] = mobility_of(world.earth);
+        double largest = 0, smallest = immovable, fastest = 0;
+        for (std::size_t i = 0; i < n; ++i) {
+            const Body& body = world.bodies[i];
+            mobility_[i + 1] = mobility_of(body);
+            places_[i] = body.position, reach_[i] = reach(world.shapes[i]);
+            speed_[i] =
+                (mobility_[i + 1].inverse_mass * body.momentum + dt * world.gravity).norm();
+            largest = std::max(largest, reach_[i]), smallest = std::min(smallest, reach_[i]);
+            fastest = std::max(fastest, speed_[i]);
+        }
+        const double slack = on.near * smallest, farthest = 2 * largest;
+        const auto look = [&](int first, int second) {
+            const auto i = static_cast<std::size_t>(first), j = static_cast<std::size_t>(second);
+            const double margin = slack + std::min(farthest, std::max(speed_[i], speed_[j]) * dt);
+            const double limit = reach_[i] + reach_[j] + margin;
+            if ((places_[j] - places_[i]).squaredNorm() >= limit * limit) return;
+            found_.clear();
+            find_contacts(world.shapes[i], world.bodies[i], world.shapes[j], world.bodies[j],
+                          margin, found_);
+            keep(world, first, second);
+        };
+        for (std::size_t i = 0; i < n; ++i)
+            for (const Plane& wall : world.walls) {
+                const double margin = slack + speed_[i] * dt;
+                if (distance_to(wall, places_[i]) >= reach_[i] + margin) continue;
+                found_.clear();
+                find_contacts(wall, world.shapes[i], world.bodies[i], margin, found_);
+                keep(world, -1, static_cast<int>(i));
+            }
+        if (on.grid) {
+            grid_.sort(places_, 2 * largest + slack + std::min(farthest, fastest * dt));
+            grid_.pairs(look);
+        } else {
+            for (int i = 0; i < static_cast<int>(n); ++i)
+                for (int j = i + 1; j < static_cast<int>(n); ++j) look(i, j);
+        }
+    }
+
+    static double skin(const Shape& shape) {
+        if (const Sphere* sphere = std::get_if<Sphere>(&shape)) return sphere->radius;
+        if (const Capsule* rod = std::get_if<Capsule>(&shape)) return rod->radius;
+        return 0;
+    }
+    void keep(World& world, int a, int b) {
+        for (const Contact& found : found_) {
+            PressedContact c{};
+            c.a = a, c.b = b;
+            const Shape& shape_b = world.shapes[static_cast<std::size_t>(b)];
+            c.radius_b = skin(shape_b);
+            if (a >= 0) {
+                const Shape& shape_a = world.shapes[static_cast<std::size_t>(a)];
+                c.radius_a = skin(shape_a);
+                c.balls = std::holds_alternative<Sphere>(shape_a) &&
+                          std::holds_alternative<Sphere>(shape_b);
+            }
+            prepare(c, found, body_of(world, a), body_of(world, b), mobility_at(a),
+                    mobility_at(b));
+            recall(c);
+            contacts_.push_back(c);
+        }
+    }
+
+    // The impulses of the last step are found again by the numbers of both bodies and of the feature.
+    static std::uint64_t key(const PressedContact& c) {
+        const auto low = static_cast<std::uint64_t>(std::min(c.a, c.b) + 1),
+                   high = static_cast<std::uint64_t>(std::max(c.a, c.b) + 1);
+        return (low * 0x9e3779b97f4a7c15ull) ^ (high * 0xc2b2ae3d27d4eb4full) ^
+               (static_cast<std::uint64_t>(c.feature) * 0x165667b19e3779f9ull);
+    }
+    void remember() {
+        std::size_t size = 16;
+        while (size < 2 * last_.size()) size *= 2;
+        table_.assign(size, 0);
+        for (std::size_t i = 0; i < last_.size(); ++i) {
+            std::uint64_t k = key(last_[i]);
+            k ^= k >> 32;
+            while (table_[k & (size - 1)]) ++k;
+            table_[k & (size - 1)] = static_cast<std::uint32_t>(i + 1);
+        }
+    }
+    void recall(PressedContact& c) {
+        const std::size_t size = table_.size();
+        std::uint64_t k = key(c);
+        k ^= k >> 32;
+        for (; table_[k & (size - 1)]; ++k) {
+            const PressedContact& old = last_[table_[k & (size - 1)] - 1];
+            if (old.feature != c.feature) continue;
+            const double side = old.a == c.a && old.b == c.b ? 1 : -1;
+            if (side < 0 && (old.a != c.b || old.b != c.a)) continue;
+            c.normal_impulse = old.normal_impulse;
+            c.friction = side * (old.friction - c.normal.dot(old.friction) * c.normal);
+            return;
+        }
+    }
+};
+// [/engine]
+
+}  // namespace nutshell

@@ -1,0 +1,193 @@
+// Chapter 7 · An impulse at the point where two bodies touch: it changes their momenta and, by
+// its levers, their angular momenta. Restitution says how much, friction which way.
+#pragma once
+#include <Eigen/LU>
+#include <nutshell/body.hpp>
+#include <nutshell/impacts.hpp>
+
+namespace nutshell {
+
+/// A body that nothing moves: a wall, the floor, the earth.
+inline Body immovable_body(const Vector3& position = Vector3::Zero()) {
+    Body wall;
+    wall.mass = immovable, wall.inertia = Vector3::Constant(immovable), wall.position = position;
+    return wall;
+}
+
+// [contact]
+/// Where two bodies a and b touch.
+struct Contact {
+    Vector3 point;          ///< [m], world frame
+    Vector3 normal;         ///< unit vector, from a to b, world axes
+    double separation = 0;  ///< gap along the normal [m]; negative: how deep they overlap
+    int feature = 0;        ///< which parts of the shapes touch: the same from step to step
+};
+
+/// Velocity [m/s] of b's point of contact, seen from a's. Source: eq. (66) with eq. (59*).
+inline Vector3 contact_velocity(const Body& a, const Body& b, const Contact& at) {
+    const Vector3 of_a = velocity(a) + angular_velocity(a).cross(at.point - a.position);
+    const Vector3 of_b = velocity(b) + angular_velocity(b).cross(at.point - b.position);
+    return of_b - of_a;
+}
+// [/contact]
+
+// [apply_impulse]
+/// The impulse J [N s], world axes, on b at the point of contact, and its opposite on a: what one
+/// gains, in momentum and about any point in angular momentum, the other loses.
+inline void apply_impulse(Body& a, Body& b, const Contact& at, const Vector3& J) {
+    a.momentum -= J;
+    b.momentum += J;
+    a.angular_momentum -= (at.point - a.position).cross(J);
+    b.angular_momentum += (at.point - b.position).cross(J);
+}
+// [/apply_impulse]
+
+// [mobility]
+/// How a body's point at `lever` [m] from its centre answers an impulse there: its velocity changes
+/// by K J, K in 1/kg. Eq. (7.d): J/m from the motion, (I^-1 (r x J)) x r from the turning.
+inline Matrix3 mobility(double inverse_mass, const Matrix3& inverse_inertia,
+                        const Vector3& lever) {
+    Matrix3 cross;                      // cross * J = lever x J
+    cross << 0, -lever.z(), lever.y(),  //
+        lever.z(), 0, -lever.x(),       //
+        -lever.y(), lever.x(), 0;
+    return inverse_mass * Matrix3::Identity() - cross * inverse_inertia * cross;
+}
+
+/// The same for the relative velocity of two bodies: u' = u + K J.
+inline Matrix3 mobility(const Body& a, const Body& b, const Contact& at) {
+    return mobility(1 / a.mass, world_inverse_inertia(a), at.point - a.position) +
+           mobility(1 / b.mass, world_inverse_inertia(b), at.point - b.position);
+}
+// [/mobility]
+
+// [smooth]
+/// The impulse [N s] of a contact without friction: along n, and it turns the separating speed
+/// n.u into -e n.u. None if they do not close in. Source: E35, eq. (67*) with levers.
+inline Vector3 smooth_impulse(const Matrix3& K, const Vector3& u, const Vector3& n, double e) {
+    const double s = n.dot(u);
+    if (!(s < 0)) return Vector3::Zero();
+    return -(1 + e) * s / n.dot(K * n) * n;
+}
+// [/smooth]
+
+// [plastic]
+/// The plastic impact with Coulomb's friction: the impulse after which the bodies no longer close
+/// in, and do not slide either; or, where that would need more friction than mu times the normal
+/// impulse, slide on against just as much. Eq. (7.e).
+/// @param K, u  mobility [1/kg] and relative velocity [m/s] of the contact, n.u < 0
+inline Vector3 plastic_impulse(const Matrix3& K, const Vector3& u, const Vector3& n, double mu) {
+    const Vector3 stick = -K.inverse() * u;
+    const double normal = n.dot(stick);
+    if (normal > 0 && (stick - normal * n).norm() <= mu * normal) return stick;
+
+    // It slides, towards some unit vector d, and the impulse is along n - mu d. What brings the
+    // separating speed to zero is then -n.u/gain times that, gain = n.K(n - mu d); and the velocity
+    // that is left, times gain, is `left`. The right d is the direction of that velocity.
+    const Vector3 across = u - n.dot(u) * n;
+    const Vector3 x = across.norm() > 0 ? across.normalized() : n.unitOrthogonal();
+    const Vector3 y = n.cross(x);
+    const auto towards = [&](double angle) -> Vector3 {
+        return std::cos(angle) * x + std::sin(angle) * y;
+    };
+    const auto left = [&](const Vector3& d) -> Vector3 {
+        const Vector3 answer = K * (n - mu * d);
+        return n.dot(answer) * u - n.dot(u) * answer;
+    };
+    const auto off = [&](double angle) {  // how far `left` is off d, to the left
+        const Vector3 d = towards(angle);
+        return n.cross(d).dot(left(d));
+    };
+    const auto slides = [&](double angle) -> std::optional<Vector3> {
+        const Vector3 d = towards(angle), along = n - mu * d;
+        const double gain = n.dot(K * along);
+        if (!(gain > 0) || d.dot(left(d)) < 0) return {};
+        return Vector3(-n.dot(u) / gain * along);
+    };
+    if (std::abs(off(0)) <= 1e-15 * K.norm() * u.norm())
+        if (const auto J = slides(0)) return *J;  // a ball: friction turns no direction
+    for (const int looks : {32, 2048}) {          // thin rods have roots close together
+        const double step = 2 * pi / looks;
+        for (int i = 0; i < looks; ++i) {  // from x to both sides in turn
+            const double side = i % 2 ? -1 : 1;
+            double from = side * (i / 2) * step, to = from + side * step;
+            const bool sign = off(from) > 0;
+            if (sign == (off(to) > 0)) continue;
+            for (int k = 0; k < 50; ++k) {
+                const double middle = (from + to) / 2;
+                ((off(middle) > 0) == sign ? from : to) = middle;
+            }
+            if (const auto J = slides(to)) return *J;
+        }
+    }
+    return smooth_impulse(K, u, n, 0);
+}
+// [/plastic]
+
+// [laws]
+/// Restitution as a wish: the contact shall leave with -e of its closing speed, whatever friction
+/// does. A contact that sticks ends with no tangential velocity. Can gain energy on a rod.
+inline Vector3 clamped_impulse(const Matrix3& K, const Vector3& u, const Vector3& n, double e,
+                               double mu) {
+    return plastic_impulse(K, u + e * n.dot(u) * n, n, mu);
+}
+
+/// Restitution as an echo: the plastic impulse, times 1 + e. It leaves with -e of its closing
+/// speed too; a contact that sticks leaves with -e of its tangential velocity as well. Never
+/// gains energy. Eq. (7.f).
+inline Vector3 echo_impulse(const Matrix3& K, const Vector3& u, const Vector3& n, double e,
+                            double mu) {
+    return (1 + e) * plastic_impulse(K, u, n, mu);
+}
+// [/laws]
+
+// [collide_bodies]
+/// What two surfaces do when they meet.
+struct Surface {
+    double restitution = 0;  ///< e, 0 to 1
+    double friction = 0;     ///< mu, not negative
+};
+
+/// Which of the two laws above.
+enum class ImpactLaw { clamped, echo };
+
+/// Collide: two bodies touch, and one impulse changes all four momenta.
+inline void collide(Body& a, Body& b, const Contact& at, const Surface& surface,
+                    ImpactLaw law = ImpactLaw::clamped) {
+    const Vector3 u = contact_velocity(a, b, at), &n = at.normal;
+    if (!(n.dot(u) < 0)) return;
+    const Matrix3 K = mobility(a, b, at);
+    const auto impulse = law == ImpactLaw::clamped ? clamped_impulse : echo_impulse;
+    apply_impulse(a, b, at, impulse(K, u, n, surface.restitution, surface.friction));
+}
+// [/collide_bodies]
+
+/// Gives the surface back. @throws std::invalid_argument if e is not within 0 and 1, mu negative
+/// or not finite
+inline Surface checked(const Surface& surface) {
+    checked_restitution(surface.restitution);
+    require(std::isfinite(surface.friction) && surface.friction >= 0,
+            "a coefficient of friction must be finite and not negative, not " +
+                digits(surface.friction));
+    return surface;
+}
+
+/// Throws std::invalid_argument if these two bodies cannot collide here: a number is not finite, a
+/// mass or a moment not greater than zero (both may be `immovable`), the normal no unit vector,
+/// or neither body can move.
+inline void check_contact(const Body& a, const Body& b, const Contact& at) {
+    checked_normal(at.normal);
+    require_finite(at.point, "the point of a contact [m]");
+    for (const Body* body : {&a, &b}) {
+        if (body->mass < immovable || body->inertia.minCoeff() < immovable) {
+            checked(*body);
+            continue;
+        }
+        require_finite(body->position, "the position of an immovable body [m]");
+        require_finite(body->momentum, "the momentum of an immovable body [kg m/s]");
+    }
+    require(a.mass < immovable || b.mass < immovable,
+            "two immovable bodies cannot collide: give one of them a finite mass and inertia");
+}
+
+}  // namespace nutshell
