@@ -66,7 +66,8 @@ inline Apart farthest_apart(const BoxPair& pair, double slack) {
 
 // [clip]
 /// A convex polygon with at most eight corners, in the plane of a face: x and y along its edges,
-/// z the height above it; each corner with a number that stays the same while it stays.
+/// z the height above it; each corner with a name that stays the same while it stays: 5, 10, 15,
+/// 20, or where an edge is cut, of its inner end, of the side that cuts, and which way round.
 struct Polygon {
     std::array<Vector3, 8> corner;
     std::array<int, 8> name;
@@ -89,11 +90,15 @@ inline Polygon clipped(const Polygon& from, int axis, double sign, double limit,
         if (over_p <= 0) left.add(p, from.name[here]);
         if ((over_p < 0 && over_q > 0) || (over_p > 0 && over_q < 0))
             left.add(p + over_p / (over_p - over_q) * (q - p),
-                     8 * (side + 1) + (over_p < 0 ? from.name[here] : from.name[next]) % 8);
+                     over_p < 0 ? 10 * from.name[here] + side : 10 * from.name[next] + 5 + side);
     }
     return left;
 }
 // [/clip]
+
+/// How far a corner may hang over the edge of the face it stands on and still be its own contact,
+/// in halves of that face: a box that lies flush shall not change its contacts at every tremor.
+inline constexpr double over_the_edge = 1.01;
 
 // [face_contacts]
 /// The contacts on a face: of the other box, the face that looks at it most, cut to fit above it.
@@ -121,10 +126,11 @@ inline void face_contacts(const BoxPair& pair, const Apart& apart, double margin
     const Vector3 middle = in_face(centre), eu = in_face(other_half[u] * other.col(u)),
                   ev = in_face(other_half[v] * other.col(v));
     Polygon face;
-    face.add(middle - eu - ev, 0), face.add(middle + eu - ev, 1);
-    face.add(middle + eu + ev, 2), face.add(middle - eu + ev, 3);
-    face = clipped(face, 0, 1, 1.01 * half[x], 0), face = clipped(face, 0, -1, 1.01 * half[x], 1);
-    face = clipped(face, 1, 1, 1.01 * half[y], 2), face = clipped(face, 1, -1, 1.01 * half[y], 3);
+    face.add(middle - eu - ev, 5), face.add(middle + eu - ev, 10);
+    face.add(middle + eu + ev, 15), face.add(middle - eu + ev, 20);
+    const double x_end = over_the_edge * half[x], y_end = over_the_edge * half[y];
+    face = clipped(face, 0, 1, x_end, 1), face = clipped(face, 0, -1, x_end, 2);
+    face = clipped(face, 1, 1, y_end, 3), face = clipped(face, 1, -1, y_end, 4);
 
     // Of up to eight corners, the outermost along both diagonals and the lowest.
     const std::array<Vector3, 5> outermost{
@@ -142,7 +148,7 @@ inline void face_contacts(const BoxPair& pair, const Apart& apart, double margin
         if (!chosen[k] || p.z() >= margin) continue;
         const Vector3 point =
             place + (half[z] + p.z() / 2) * up + p.x() * axes.col(x) + p.y() * axes.col(y);
-        found.push_back({point, apart.normal, p.z(), 64 * (apart.face + 1) + face.name[k]});
+        found.push_back({point, apart.normal, p.z(), 8 * face.name[k] + apart.face});
     }
 }
 // [/face_contacts]
@@ -160,7 +166,7 @@ inline void edge_contact(const BoxPair& pair, const Apart& apart, std::vector<Co
     const double c = a.dot(b), from = a.dot(q - p), to = b.dot(q - p);
     const double s = (from - c * to) / (1 - c * c), t = (c * from - to) / (1 - c * c);
     found.push_back({(p + s * a + q + t * b) / 2, apart.normal, apart.gap,
-                     1000 + 3 * apart.edge_a + apart.edge_b});
+                     -1 - 3 * apart.edge_a - apart.edge_b});
 }
 // [/edge_contact]
 

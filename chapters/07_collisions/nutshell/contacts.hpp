@@ -105,6 +105,12 @@ inline void find_contacts(const Plane& plane, const Shape& shape, const Body& bo
 }
 // [/any_contacts]
 
+/// When a body comes to a plane, and how it then lies.
+struct Arrival {
+    double time;  ///< [s]
+    Body body;
+};
+
 // [advancement]
 /// How far [m] a shape is in front of a plane: its nearest point.
 inline double gap_to(const Plane& plane, const Shape& shape, const Body& body) {
@@ -118,24 +124,24 @@ inline double gap_to(const Plane& plane, const Shape& shape, const Body& body) {
 /// When [s] a shape that flies and turns freely comes within `tolerance` [m] of a plane, up to
 /// `duration`: conservative advancement. No point of it comes nearer faster than the centre does,
 /// plus |L|/I, the fastest it can ever turn, times its reach: so it may fly gap over that speed
-/// and cannot have touched. Gives the time and the body at that time; nothing if it stays away.
-/// Where one more step would cost less than 2^-52 of the time, it is there.
-struct Arrival {
-    double time;
-    Body body;
-};
+/// and cannot have touched. Exact but for `tolerance` where the free rotation is: for bodies with
+/// two equal moments.
+/// @return the time and the body then; nothing if it stays away
+/// @throws std::invalid_argument if the tolerance is not greater than zero
 inline std::optional<Arrival> time_of_impact(const Shape& shape, Body body,
                                              const Vector3& acceleration, const Plane& plane,
                                              double duration, double tolerance) {
+    require_positive(tolerance, "time_of_impact: the tolerance [m]");
     const auto weight = [&](const Body& b, double) {
         return Wrench{b.mass * acceleration, {0, 0, 0}};
     };
     const double turning = body.angular_momentum.norm() / body.inertia.minCoeff() * reach(shape);
+    const double fall = std::max(0.0, -plane.normal.dot(acceleration));
     for (double t = 0;;) {
         const double gap = gap_to(plane, shape, body);
         if (gap <= tolerance) return Arrival{t, body};
-        const double fall = std::max(0.0, -plane.normal.dot(acceleration));
         const double speed = std::max(0.0, -plane.normal.dot(velocity(body))) + turning;
+        if (speed == 0 && fall == 0) return {};
         // gap = speed s + fall s^2/2 at most: the longest s that is safe
         const double safe = 2 * gap / (speed + std::sqrt(speed * speed + 2 * fall * gap));
         if (!(t + safe <= duration)) return {};
