@@ -1,6 +1,7 @@
 // Chapter 7 · Two boxes: a plane between them if there is one, else where they touch. Up to five
 // points, because a box rests on a face, not on a point.
 #pragma once
+#include <array>
 #include <nutshell/impulse.hpp>
 #include <nutshell/shapes.hpp>
 

@@ -1,6 +1,6 @@
 // Chapter 7 · The engine: kick, collide, drift, for any number of bodies that touch.
 #pragma once
-#include <nutshell/contact_solver.hpp>
+#include <nutshell/contact_memory.hpp>
 #include <nutshell/contacts.hpp>
 #include <nutshell/grid.hpp>
 
@@ -66,12 +66,12 @@ class Engine {
     const std::vector<PressedContact>& contacts() const { return contacts_; }
 
   private:
-    std::vector<PressedContact> contacts_, last_;
+    std::vector<PressedContact> contacts_;
     std::vector<Contact> found_;
     std::vector<Mobility> mobility_;  // of each body, after the earth's
     std::vector<Vector3> places_;
     std::vector<double> reach_, speed_;
-    std::vector<std::uint32_t> table_;  // contacts of the last step by bodies and feature
+    ContactMemory memory_;
     Grid grid_;
 
     static Wrench weight(const Body& body, const World& world) {
@@ -116,8 +116,8 @@ class Engine {
 
     void find_contacts_of(World& world, double dt) {
         const std::size_t n = world.bodies.size();
-        last_.swap(contacts_), contacts_.clear();
-        remember();
+        if (on.warm_start) memory_.remember(contacts_);
+        contacts_.clear();
         mobility_.resize(n + 1), places_.resize(n), reach_.resize(n), speed_.resize(n);
         mobility_[0] = mobility_of(world.earth);
         double largest = 0, smallest = immovable, fastest = 0;
@@ -177,41 +177,8 @@ class Engine {
             }
             prepare(c, found, body_of(world, a), body_of(world, b), mobility_at(a),
                     mobility_at(b));
-            recall(c);
+            if (on.warm_start) memory_.recall(c);
             contacts_.push_back(c);
-        }
-    }
-
-    // The impulses of the last step are found again by the numbers of both bodies and of the feature.
-    static std::uint64_t key(const PressedContact& c) {
-        const auto low = static_cast<std::uint64_t>(std::min(c.a, c.b) + 1),
-                   high = static_cast<std::uint64_t>(std::max(c.a, c.b) + 1);
-        return (low * 0x9e3779b97f4a7c15ull) ^ (high * 0xc2b2ae3d27d4eb4full) ^
-               (static_cast<std::uint64_t>(c.feature) * 0x165667b19e3779f9ull);
-    }
-    void remember() {
-        std::size_t size = 16;
-        while (size < 2 * last_.size()) size *= 2;
-        table_.assign(size, 0);
-        for (std::size_t i = 0; i < last_.size(); ++i) {
-            std::uint64_t k = key(last_[i]);
-            k ^= k >> 32;
-            while (table_[k & (size - 1)]) ++k;
-            table_[k & (size - 1)] = static_cast<std::uint32_t>(i + 1);
-        }
-    }
-    void recall(PressedContact& c) {
-        const std::size_t size = table_.size();
-        std::uint64_t k = key(c);
-        k ^= k >> 32;
-        for (; table_[k & (size - 1)]; ++k) {
-            const PressedContact& old = last_[table_[k & (size - 1)] - 1];
-            if (old.feature != c.feature) continue;
-            const double side = old.a == c.a && old.b == c.b ? 1 : -1;
-            if (side < 0 && (old.a != c.b || old.b != c.a)) continue;
-            c.normal_impulse = old.normal_impulse;
-            c.friction = side * (old.friction - c.normal.dot(old.friction) * c.normal);
-            return;
         }
     }
 };

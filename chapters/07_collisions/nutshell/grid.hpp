@@ -1,7 +1,6 @@
 // Chapter 7 · Broad phase: a grid, so that a body looks for contacts next door only.
 #pragma once
 #include <algorithm>
-#include <cstdint>
 #include <nutshell/vector.hpp>
 #include <vector>
 
@@ -25,8 +24,7 @@ class Grid {
             const Vector3 cubes = extent / cell + Vector3::Ones();
             if (cubes.prod() <= most) break;
         }
-        for (int axis = 0; axis < 3; ++axis)
-            size_[axis] = static_cast<int>(extent[axis] / cell) + 1;
+        size_ = (extent / cell).cast<int>() + Eigen::Vector3i::Ones();
 
         cube_.resize(n), item_.resize(n);
         start_.assign(static_cast<std::size_t>(size_[0] * size_[1] * size_[2]) + 1, 0);
@@ -60,7 +58,7 @@ class Grid {
     }
 
   private:
-    std::array<int, 3> size_{1, 1, 1};      // cubes along each axis
+    Eigen::Vector3i size_{1, 1, 1};         // cubes along each axis
     std::vector<int> cube_, start_, next_;  // cube of a point; first item of a cube
     std::vector<int> item_;                 // the points, cube after cube
 
