@@ -101,9 +101,9 @@ void check(const Ranking& ranking) {
                              number_of(ranking.columns.size()) +
                              " columns; give one each, or none and the words that stand instead");
         for (const double value : row.values)
-            if (!can_show(Scale::logarithmic, value))
+            if (value != 0 && !can_show(Scale::logarithmic, value))
                 refuse(name, "row \"" + row.name + "\" has the value " + spoken(value) +
-                                 "; a cost is finite and above zero");
+                                 "; a cost is finite and not negative");
     }
 }
 

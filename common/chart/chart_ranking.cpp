@@ -31,6 +31,7 @@ std::string ratio_text(double ratio) {
 
 /// The value, and how many times the least it is.
 std::string end_text(double value, double least) {
+    if (value == 0) return "none";
     return value <= least * 1.0005 ? cost_text(value) + ", the least"
                                    : cost_text(value) + " (" + ratio_text(value / least) + ")";
 }
@@ -118,13 +119,14 @@ Layout arranged(const Ranking& ranking, double width) {
                        draw_text("label", border + 22, name_at, row.name);
         for (std::size_t k = 0; k < row.values.size(); ++k) {
             const Lane& lane = lanes[k];
-            const Point at{lane.ruler(row.values[k]), middle};
+            const Point at{row.values[k] > 0 ? lane.ruler(row.values[k]) : lane.left, middle};
             const std::string title = row.name + ": " + ranking.columns[k] + " " + spoken(row.values[k]) +
                                       (row.note.empty() ? "" : "; " + row.note);
-            layout.body += "<path class='stem' d='" + path({{{lane.left, middle}, at}}) + "'/>\n" +
-                           draw_mark(style, at, title) +
-                           draw_text(row.values[k] <= lane.least * 1.0005 ? "note least" : "note",
-                                     at.x + value_gap, middle + 5.5, end_text(row.values[k], lane.least));
+            layout.body +=
+                "<path class='stem' d='" + path({{{lane.left, middle}, at}}) + "'/>\n" +
+                draw_mark(style, at, title) +
+                draw_text(row.values[k] > 0 && row.values[k] <= lane.least * 1.0005 ? "note least" : "note",
+                          at.x + value_gap, middle + 5.5, end_text(row.values[k], lane.least));
         }
         if (row.values.empty()) {
             const double from = narrow ? border + 22 : left;

@@ -83,7 +83,7 @@ TEST_CASE("a ranking puts the least first and who does not get there last, with 
     wrong.rows[0].values.pop_back();
     CHECK_THROWS_AS(svg(wrong), std::invalid_argument);
     wrong = ranking();
-    wrong.rows[0].values[0] = 0;
+    wrong.rows[0].values[0] = -1;
     CHECK_THROWS_AS(svg(wrong), std::invalid_argument);
     wrong = ranking();
     wrong.rows[1].instead = "";

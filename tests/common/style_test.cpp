@@ -49,12 +49,15 @@ double contrast(const std::string& a, const std::string& b) {
 
 using Matrix = std::array<Light, 3>;
 constexpr Matrix everyone{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
-// What is left of a colour for eyes without red or green receptors (Machado, Oliveira and Fernandes 2009,
+// What is left of a colour for eyes without red, green or blue receptors (Machado, Oliveira and Fernandes 2009,
 // severity 1).
 constexpr Matrix without_red{
     {{0.152286, 1.052583, -0.204868}, {0.114503, 0.786281, 0.099216}, {-0.003882, -0.048116, 1.051998}}};
 constexpr Matrix without_green{
     {{0.367322, 0.860646, -0.227968}, {0.280085, 0.672501, 0.047413}, {-0.011820, 0.042940, 0.968881}}};
+
+constexpr Matrix without_blue{
+    {{1.255528, -0.076749, -0.178779}, {-0.078411, 0.930809, 0.147602}, {0.004733, 0.691367, 0.303900}}};
 
 /// CIE L*a*b* of a colour as these eyes see it.
 Light seen(const std::string& colour, const Matrix& eyes) {
@@ -131,10 +134,10 @@ TEST_CASE("names can be read in their colours, on light paper and dark") {
     for (int i = 0; i < 6; ++i) readable(style_of("plain", i));
 }
 
-TEST_CASE("families stay apart for eyes that do not see red or green") {
+TEST_CASE("families stay apart for eyes that do not see red, green or blue") {
     constexpr std::array families{"Euler", "Verlet", "RK4", "implicit Euler", "exponential kick",
                                   "exact", "Bullet"};
-    for (const Matrix& eyes : {everyone, without_red, without_green})
+    for (const Matrix& eyes : {everyone, without_red, without_green, without_blue})
         for (const char* a : families)
             for (const char* b : families) {
                 if (std::string(a) >= b) continue;

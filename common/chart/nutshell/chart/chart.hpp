@@ -130,7 +130,7 @@ struct Ranking {
     struct Row {
         std::string name = {};
         std::optional<Look> look = {};
-        std::vector<double> values = {};  ///< one a column, > 0; empty where `instead` is not
+        std::vector<double> values = {};  ///< one a column, not negative; empty where `instead` is not
         std::string instead = {};         ///< "does not get there: still 0.3 m off with 100 000 steps"
         std::string note = {};            ///< for the tooltip: "dt = 1/60 s"
     };
