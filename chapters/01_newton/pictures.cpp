@@ -44,10 +44,10 @@ void straight_line_picture(lab::Report& report) {
         "straight line",
         "Verlet",
         "0.5 s",
-        {{"largest error", lab::measure(scene, verlet_method, 8).max_error, "m"}}};
+        {{"largest error", lab::measure(scene, methods::verlet, 8).max_error, "m"}}};
     pic::save(report.path("straight_line.png"), note, [&]() -> pic::Sheet {
         pic::Drawing drawing;
-        pic::add(drawing, pic::Stroboscope{.computed = path(scene, verlet_method, 8),
+        pic::add(drawing, pic::Stroboscope{.computed = path(scene, methods::verlet, 8),
                                            .exact = {},
                                            .exact_path = {},
                                            .radius = 0.22});
@@ -70,12 +70,12 @@ void throw_picture(lab::Report& report) {
         "Euler",
         lab::rounded(dt) + " s",
         {{"height above the exact path at the end",
-          (lab::run(scene, euler_method, steps).position - scene.exact(scene.duration).position)
+          (lab::run(scene, methods::euler, steps).position - scene.exact(scene.duration).position)
               .y(),
           "m"}}};
     pic::save(report.path("throw.png"), note, [&]() -> pic::Sheet {
         pic::Drawing drawing;
-        pic::add(drawing, pic::Stroboscope{.computed = path(scene, euler_method, steps),
+        pic::add(drawing, pic::Stroboscope{.computed = path(scene, methods::euler, steps),
                                            .exact = exact_path(scene, steps),
                                            .exact_path = exact_path(scene, 100),
                                            .radius = 0.45,
@@ -144,7 +144,7 @@ void cover(lab::Report& report) {
     const pic::Note note{report.command(), "planet, e = 0.6", "Verlet", "1/80 orbit", {}};
     pic::save(report.path("cover.png"), note, [&]() -> pic::Sheet {
         const Path points =
-            path(scene, verlet_method, static_cast<long>(orbits_drawn) * steps_an_orbit);
+            path(scene, methods::verlet, static_cast<long>(orbits_drawn) * steps_an_orbit);
         pic::Drawing drawing;
         drawing.ground({.height = -0.3, .normal = Vector3::UnitZ(), .spacing = 0.5, .unit = "a"});
         drawing.add(pic::Trail{.points = points,

@@ -11,11 +11,7 @@ namespace {
 
 constexpr long steps_an_orbit = 500;
 
-std::vector<lab::Entry<Planet>> methods() {
-    return {lab::entry<Planet>("Euler", euler_method),
-            lab::entry<Planet>("semi-implicit Euler", semi_implicit_euler_method),
-            lab::entry<Planet>("Verlet", VerletFsal<Vector3>{})};
-}
+const auto entries = lab::entries<Planet>(newton_methods);
 
 /// What the page says of one method, over 20 orbits.
 struct History {
@@ -28,11 +24,11 @@ struct History {
 };
 
 template <class Method>
-History history_of(const std::string& name, const std::string& key, const Method& method) {
+History history_of(const Method& method) {
     const Planet scene = Planet::for_orbits(21);
     const double energy = scene.energy(scene.start);
     const Vector3 momentum = angular_momentum(scene.start);
-    History h{name, key, {}, {}, {}};
+    History h{method.name, method.key(), {}, {}, {}};
     Aphelia aphelia;
     lab::run(scene, method, 21 * steps_an_orbit, [&](const PointMass& planet, double t) {
         const double energy_change = (scene.energy(planet) - energy) / std::abs(energy);
@@ -44,7 +40,7 @@ History history_of(const std::string& name, const std::string& key, const Method
         h.largest_momentum = std::max(h.largest_momentum, momentum_change);
         aphelia.look(planet.position);
     });
-    if (key == "euler") return h;
+    if (h.key == "euler") return h;
     h.turn = aphelia.turn_per_orbit();
     h.tilt = std::remainder(aphelia.angles.front() - pi, 2 * pi) -
              h.turn / 2;  // half a turn belongs to the first half year
@@ -53,10 +49,9 @@ History history_of(const std::string& name, const std::string& key, const Method
 }
 
 void conservation(lab::Report& report) {
-    const std::vector<History> histories{
-        history_of("Euler", "euler", euler_method),
-        history_of("semi-implicit Euler", "semi_implicit", semi_implicit_euler_method),
-        history_of("Verlet", "verlet", verlet_method)};
+    const std::vector<History> histories{history_of(methods::euler),
+                                         history_of(methods::semi_implicit_euler),
+                                         history_of(methods::verlet)};
     lab::Table table{{"method", "energy, largest change", "angular momentum, largest change",
                       "axis turns [rad/orbit]"},
                      {}};
@@ -103,8 +98,8 @@ void orders(lab::Report& report) {
     chart.x = {"step dt [year/2π]", chart::Scale::logarithmic};
     chart.y = {"position error [a]", chart::Scale::logarithmic};
     chart.guides = {1, 2};
-    const auto study = [&](const std::string& name, const std::string& key, const auto& method,
-                           long fewest) {
+    const auto study = [&](const auto& method, long fewest) {
+        const std::string name = method.name, key = method.key();
         chart::Series largest{name + " (largest)"}, at_end{name + " (at the end)"};
         largest.style = name;
         for (long steps = fewest; steps <= 8 * fewest; steps *= 2) {
@@ -117,14 +112,14 @@ void orders(lab::Report& report) {
         table.add({name, lab::rounded(by_largest, "%.3f"), lab::rounded(by_end, "%.3f")});
         report.number("planet." + key + ".order", by_largest);
         report.number("planet." + key + ".order_at_end", by_end);
-        if (key == "semi_implicit")
+        if (key == methods::semi_implicit_euler.key())
             report.number("planet.disguise", largest.y.back() / at_end.y.back());
         if (key == "euler") return;
         chart.series.push_back(std::move(largest)), chart.series.push_back(std::move(at_end));
     };
-    study("Euler", "euler", euler_method, 16000);
-    study("semi-implicit Euler", "semi_implicit", semi_implicit_euler_method, 2000);
-    study("Verlet", "verlet", verlet_method, 2000);
+    study(methods::euler, 16000);
+    study(methods::semi_implicit_euler, 2000);
+    study(methods::verlet, 2000);
     report.print(table);
     chart::write_svg(chart, report.path("planet_orders.svg"));
 }
@@ -133,15 +128,13 @@ void cost(lab::Report& report) {
     const Planet scene = Planet::for_orbits(3);
     const std::string need =
         scene.need.reason + " (" + lab::rounded(scene.need.tolerance) + " a) for three orbits";
-    const auto ways = lab::ways_to_meet(scene, methods(), 100, 400'000);
+    const auto ways = lab::ways_to_meet(scene, entries, 100, 400'000);
     report.say("Needs " + need +
                ". The least that gives it (Euler does not with 400 000 steps):");
     report.print(lab::ways_table(ways, scene.need));
     report.number("planet.need", scene.need.tolerance, "a");
     for (const auto& way : ways) {
-        const std::string key = way.method == "Verlet"  ? "verlet"
-                                : way.method == "Euler" ? "euler"
-                                                        : "semi_implicit";
+        const std::string key = key_of(way.method);
         report.number("planet." + key + ".steps_an_orbit",
                       static_cast<double>(way.run.steps) / 3);
         report.number("planet." + key + ".microseconds_an_orbit",
@@ -152,7 +145,7 @@ void cost(lab::Report& report) {
     report.number("machine.square_root", floor.square_root * 1e9, "ns");
 
     const auto curves = lab::work_precision(
-        scene, methods(), {300, 600, 1200, 2400, 4800, 9600, 19200, 38400, 76800});
+        scene, entries, {300, 600, 1200, 2400, 4800, 9600, 19200, 38400, 76800});
     report.data("planet.csv", lab::work_precision_data(curves));
     for (const auto axis : {lab::Cost::evaluations, lab::Cost::time}) {
         chart::Chart chart = lab::work_precision_chart(curves, scene.need, axis);

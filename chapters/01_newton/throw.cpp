@@ -6,24 +6,13 @@
 
 namespace nutshell {
 
-namespace {
-
-template <class Scene>
-std::vector<lab::Entry<Scene>> methods() {
-    return {lab::entry<Scene>("Euler", euler_method),
-            lab::entry<Scene>("semi-implicit Euler", semi_implicit_euler_method),
-            lab::entry<Scene>("Verlet", VerletFsal<Vector3>{})};
-}
-
-}  // namespace
-
 void straight_line(lab::Report& report) {
     const StraightLine scene;
     report.heading("Straight line: no force, " + lab::rounded(scene.duration) +
                    " s in 100 steps");
     lab::Table table{{"method", "largest error [m]"}, {}};
     double largest = 0;
-    for (const auto& method : methods<StraightLine>()) {
+    for (const auto& method : lab::entries<StraightLine>(newton_methods)) {
         const double error = method.measure(scene, 100).max_error;
         largest = std::max(largest, error);
         table.add({method.name, lab::rounded(error)});
@@ -54,39 +43,36 @@ void thrown_ball(lab::Report& report) {
     report.heading("Thrown ball: " + lab::rounded(scene.duration) + " s in steps of 1/60 s");
     lab::Table table{
         {"method", "computed - exact, up [m]", "the law says [m]", "off the law by [m]"}, {}};
-    const auto compare = [&](const char* name, const char* key, Method law, const auto& method) {
+    const auto compare = [&](const auto& method, Kicked law) {
         const double error =
             (lab::run(scene, method, steps).position - scene.exact(scene.duration).position).y();
         const double predicted = throw_error(law, gravity, scene.duration, dt).y();
-        table.add({name, lab::rounded(error, "%.6f"), lab::rounded(predicted, "%.6f"),
+        table.add({method.name, lab::rounded(error, "%.6f"), lab::rounded(predicted, "%.6f"),
                    lab::rounded(std::abs(error - predicted))});
-        report.number(std::string("throw.") + key + ".error", error, "m");
-        report.number(std::string("throw.") + key + ".off_the_law", std::abs(error - predicted),
-                      "m");
+        report.number("throw." + method.key() + ".error", error, "m");
+        report.number("throw." + method.key() + ".off_the_law", std::abs(error - predicted), "m");
     };
-    compare("Euler", "euler", Method::euler, euler_method);
-    compare("semi-implicit Euler", "semi_implicit", Method::semi_implicit_euler,
-            semi_implicit_euler_method);
-    compare("Verlet", "verlet", Method::verlet, verlet_method);
+    compare(methods::euler, Kicked::after_drift);
+    compare(methods::semi_implicit_euler, Kicked::before_drift);
+    compare(methods::verlet, Kicked::half_and_half);
     report.print(table);
 
-    const auto ways = lab::ways_to_meet(scene, methods<ThrownBall>());
+    const auto ways = lab::ways_to_meet(scene, lab::entries<ThrownBall>(newton_methods));
     report.say("Needs " + scene.need.reason + " (" + lab::rounded(scene.need.tolerance) +
                " m). The least that gives it:");
     report.print(lab::ways_table(ways, scene.need));
     report.number("throw.need", scene.need.tolerance, "m");
     report.number("throw.duration", scene.duration, "s");
     for (const auto& way : ways) {
-        const std::string key = way.method == "Verlet"  ? "verlet"
-                                : way.method == "Euler" ? "euler"
-                                                        : "semi_implicit";
+        const std::string key = key_of(way.method);
         report.number("throw." + key + ".steps", static_cast<double>(way.run.steps));
         report.number("throw." + key + ".step", way.run.dt, "s");
         report.number("throw." + key + ".evaluations", static_cast<double>(way.run.evaluations));
     }
 
-    const auto curves = lab::work_precision(
-        scene, methods<ThrownBall>(), {3, 6, 12, 30, 90, 180, 432, 1000, 3000, 10000}, false);
+    const auto curves =
+        lab::work_precision(scene, lab::entries<ThrownBall>(newton_methods),
+                            {3, 6, 12, 30, 90, 180, 432, 1000, 3000, 10000}, false);
     report.data("throw.csv", lab::work_precision_data(curves));
     chart::Chart chart = lab::work_precision_chart(curves, scene.need, lab::Cost::evaluations);
     chart.title = "One method has nothing to improve";

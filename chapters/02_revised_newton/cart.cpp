@@ -17,7 +17,7 @@ struct Told {
 /// The cart's speed as somebody computes it who moves along at `frame` m/s, told to the ground.
 Told told_by(const LeakyCart& cart, double frame) {
     Told told;
-    told.end = lab::run(cart.seen_from({frame, 0, 0}), euler_method, steps,
+    told.end = lab::run(cart.seen_from({frame, 0, 0}), methods::euler, steps,
                         [&](const Particle& body, double t) {
                             told.t.push_back(t), told.speed.push_back(velocity(body).x() + frame);
                         });
@@ -71,7 +71,8 @@ void leaky_cart(lab::Report& report) {
         "cart.printed.thrust",
         (printed.start.flow.rate * relative_velocity(printed.start.flow, printed.start, 0)).x(),
         "N");
-    report_ways(report, "cart", cart.need, lab::ways_to_meet(cart, methods<LeakyCart>()));
+    report_ways(report, "cart", cart.need,
+                lab::ways_to_meet(cart, lab::entries<LeakyCart>(newton_methods)));
 
     lab::Table data{{"t", "truth", "printed_ground", "printed_moving_4", "printed_moving_10"},
                     {}};

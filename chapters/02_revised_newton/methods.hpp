@@ -1,28 +1,9 @@
-// Chapter 1's methods on a list, and how this chapter's parts report the least that meets a
-// scene's need.
+// How this chapter's parts report the least that meets a scene's need.
 #pragma once
 #include <nutshell/lab/work_chart.hpp>
 #include <nutshell/newton_methods.hpp>
 
 namespace nutshell {
-
-template <class Scene>
-std::vector<lab::Entry<Scene>> methods() {
-    return {lab::entry<Scene>("Euler", euler_method),
-            lab::entry<Scene>("semi-implicit Euler", semi_implicit_euler_method),
-            lab::entry<Scene>("Verlet", VerletFsal<Vector3>{})};
-}
-
-/// A method's name as the first half of a number's name.
-inline std::string key_of(const std::string& method) {
-    std::string key;
-    for (const char c : method)
-        if (c == ' ' || c == '-')
-            key += '_';
-        else if (c != ',')
-            key += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    return key;
-}
 
 /// Prints the ways to meet the scene's need and keeps their numbers as SCENE.METHOD.steps and so
 /// on.

@@ -12,21 +12,18 @@ void momentum_throw(lab::Report& report) {
     lab::Table table{
         {"mass [kg]", "method", "position, difference [m]", "velocity, difference [m/s]"}, {}};
     double same_bits = 0, any_mass = 0;
-    const auto compare = [&](double mass, const char* name, const auto& method) {
+    const auto compare = [&](double mass, const auto& method) {
         const MomentumThrow scene = MomentumThrow::of_mass(mass);
         const PointMass one = lab::run(scene.ball, method, steps);
         const Particle other = lab::run(scene, method, steps);
         const double place = (one.position - other.position).norm(),
                      speed = (one.velocity - velocity(other)).norm();
-        table.add({lab::rounded(mass), name, lab::rounded(place), lab::rounded(speed)});
+        table.add({lab::rounded(mass), method.name, lab::rounded(place), lab::rounded(speed)});
         (mass == 2 ? same_bits : any_mass) =
             std::max(mass == 2 ? same_bits : any_mass, std::max(place, speed));
     };
-    for (const double mass : {2.0, 7.0}) {
-        compare(mass, "Euler", euler_method);
-        compare(mass, "semi-implicit Euler", semi_implicit_euler_method);
-        compare(mass, "Verlet", verlet_method);
-    }
+    for (const double mass : {2.0, 7.0})
+        each(newton_methods, [&](const auto& method) { compare(mass, method); });
     report.print(table);
     report.number("throw.steps", steps);
     report.number("throw.difference_2kg", same_bits, "m");
@@ -40,12 +37,12 @@ void many_forces(lab::Report& report) {
     Vector3 net = Vector3::Zero();
     for (const Vector3& rope : scene.ropes) sizes += rope.norm(), net += rope;
     const long steps = 240;
-    const Particle first = lab::run(scene, verlet_method, steps);
+    const Particle first = lab::run(scene, methods::verlet, steps);
     double spread = 0;
     int orders = 0;
     do {
         ++orders;
-        spread = std::max(spread, distance(lab::run(scene, verlet_method, steps), first));
+        spread = std::max(spread, distance(lab::run(scene, methods::verlet, steps), first));
     } while (std::next_permutation(scene.order.begin(), scene.order.end()));
     report.say("The forces' sizes add up to " + lab::rounded(sizes, "%.0f") +
                " N; the ropes' sum is " + lab::rounded(net.norm()) + " N. In " +
@@ -57,7 +54,7 @@ void many_forces(lab::Report& report) {
     report.number("forces.spread", spread, "m");
     report.number("forces.path", first.position.norm(), "m");
     report_ways(report, "forces", scene.need,
-                lab::ways_to_meet(ManyForces{}, methods<ManyForces>()));
+                lab::ways_to_meet(ManyForces{}, lab::entries<ManyForces>(newton_methods)));
 }
 
 }  // namespace nutshell

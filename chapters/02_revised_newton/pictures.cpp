@@ -44,8 +44,8 @@ void add_cart(pic::Drawing& drawing, const Particle& cart, double lane, double f
 void cart_picture(lab::Report& report) {
     const LeakyCart truth, printed = LeakyCart::as_printed();
     const long steps = 100, every = 20;
-    const auto told = states(printed, euler_method, steps, every),
-               is = states(truth, euler_method, steps, every);
+    const auto told = states(printed, methods::euler, steps, every),
+               is = states(truth, methods::euler, steps, every);
     const pic::Note note{
         report.command(),
         "leaky cart",
@@ -58,11 +58,13 @@ void cart_picture(lab::Report& report) {
         const double back = -62, front = 0;
         drawing.ground({.height = 0, .spacing = 10});
         // what the formula claims: each grain stays where it fell out
-        lab::run(printed, euler_method, steps, [&, n = 0](const Particle& cart, double) mutable {
-            if (n++ % 2 == 1)
-                drawing.add(pic::Ball{
-                    .centre = {cart.position.x(), 0.7, back + 3}, .radius = 0.7, .colour = sand});
-        });
+        lab::run(printed, methods::euler, steps,
+                 [&, n = 0](const Particle& cart, double) mutable {
+                     if (n++ % 2 == 1)
+                         drawing.add(pic::Ball{.centre = {cart.position.x(), 0.7, back + 3},
+                                               .radius = 0.7,
+                                               .colour = sand});
+                 });
         for (const Particle& cart : told) add_cart(drawing, cart, back, truth.start.mass);
         // what happens: each grain slides along below the cart
         for (std::size_t i = 0; i < is.size(); ++i) {
@@ -100,7 +102,7 @@ double drop_radius(double mass, double full_mass) {
 
 void raindrop_picture(lab::Report& report) {
     const Raindrop drop;
-    const auto drops = states(drop, verlet_method, 40, 4);
+    const auto drops = states(drop, methods::verlet, 40, 4);
     const double full = drops.back().mass;
     const pic::Note note{report.command(),
                          "raindrop",
@@ -166,7 +168,7 @@ void rocket_picture(lab::Report& report) {
     const Launch scene = Rocket::with_midway(Launch{});
     const RocketBooks books{scene};
     const long steps = 60, every = 12;
-    const auto all = states(books, verlet_method, steps, every);
+    const auto all = states(books, methods::verlet, steps, every);
     const RocketAndExhaust& end = all.back();
     const pic::Note note{
         report.command(),

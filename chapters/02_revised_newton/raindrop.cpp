@@ -16,18 +16,18 @@ void raindrop(lab::Report& report) {
     lab::Table table{{"method", "K down [g m/s]", "the law says [g m/s]",
                       "off the law by [g m/s]", "position, off by [m]"},
                      {}};
-    const auto compare = [&](const char* name, const char* key, double law, const auto& method) {
+    const auto compare = [&](const auto& method, double law) {
         const VariableMass end = lab::run(drop, method, steps);
         const double K = -1e3 * end.momentum.y(), says = -1e3 * gravity.y() * law;
-        table.add({name, lab::rounded(K, "%.6f"), lab::rounded(says, "%.6f"),
+        table.add({method.name, lab::rounded(K, "%.6f"), lab::rounded(says, "%.6f"),
                    lab::rounded(std::abs(K - says)), lab::rounded(distance(end, exact))});
-        report.number(std::string("drop.") + key + ".K", K, "g m/s");
-        report.number(std::string("drop.") + key + ".off_the_law", std::abs(K - says), "g m/s");
-        report.number(std::string("drop.") + key + ".off_at_40", distance(end, exact), "m");
+        report.number("drop." + method.key() + ".K", K, "g m/s");
+        report.number("drop." + method.key() + ".off_the_law", std::abs(K - says), "g m/s");
+        report.number("drop." + method.key() + ".off_at_40", distance(end, exact), "m");
     };
-    compare("Euler", "euler", weight_sum, euler_method);
-    compare("semi-implicit Euler", "semi_implicit", weight_sum, semi_implicit_euler_method);
-    compare("Verlet", "verlet", trapezium, verlet_method);
+    compare(methods::euler, weight_sum);
+    compare(methods::semi_implicit_euler, weight_sum);
+    compare(methods::verlet, trapezium);
     report.print(table);
 
     const ThrownBall fall;
@@ -45,8 +45,9 @@ void raindrop(lab::Report& report) {
                " m/s. Its sideways speed is down from 3 to " + lab::rounded(v.x(), "%.2f") +
                " m/s.");
 
-    report_ways(report, "drop", drop.need, lab::ways_to_meet(drop, methods<Raindrop>()));
-    const auto curves = lab::work_precision(drop, methods<Raindrop>(),
+    report_ways(report, "drop", drop.need,
+                lab::ways_to_meet(drop, lab::entries<Raindrop>(newton_methods)));
+    const auto curves = lab::work_precision(drop, lab::entries<Raindrop>(newton_methods),
                                             {5, 10, 20, 50, 100, 300, 1000, 3000, 10000, 30000});
     report.data("raindrop.csv", lab::work_precision_data(curves));
     chart::Chart chart = lab::work_precision_chart(curves, drop.need, lab::Cost::evaluations);

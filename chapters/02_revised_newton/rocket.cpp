@@ -13,7 +13,7 @@ double gain_in_parcels(double ratio, long n, bool midway_parcels) {
     Rocket rocket;
     rocket.duration = rocket.start.mass * (1 - 1 / ratio) / -rocket.start.flow.rate;
     if (midway_parcels) rocket = Rocket::with_midway(rocket);
-    return velocity(lab::run(rocket, euler_method, n)).x() / rocket.start.flow.velocity.norm();
+    return velocity(lab::run(rocket, methods::euler, n)).x() / rocket.start.flow.velocity.norm();
 }
 
 void gain_chart(lab::Report& report) {
@@ -53,8 +53,8 @@ void rocket(lab::Report& report) {
         {"parcels", "speed [m/s]", "off by", "measured from the mean [m/s]", "off by"}, {}};
     report.number("rocket.gain", gain, "m/s");
     for (const long n : {1L, 3L, 15L, 150L, 1500L}) {
-        const double speed = velocity(lab::run(before, euler_method, n)).x();
-        const double mean = velocity(lab::run(midway_rocket, euler_method, n)).x();
+        const double speed = velocity(lab::run(before, methods::euler, n)).x();
+        const double mean = velocity(lab::run(midway_rocket, methods::euler, n)).x();
         table.add({std::to_string(n), lab::rounded(speed, "%.4f"),
                    lab::rounded(100 * (speed / gain - 1), "%+.4f %%"), lab::rounded(mean, "%.4f"),
                    lab::rounded(100 * (mean / gain - 1), "%+.4f %%")});
@@ -71,14 +71,16 @@ void rocket(lab::Report& report) {
     report.number("rocket.ratio_for_three", std::exp(3.0));
 
     const std::vector<lab::Entry<Rocket>> ways{
-        lab::entry<Rocket>("from the speed before", euler_method),
+        {"from the speed before", variant({}), lab::entry<Rocket>(methods::euler).measure,
+         lab::entry<Rocket>(methods::euler).seconds},
         {"from the mean speed",
+         {},
          [](const Rocket& scene, long steps) {
-             return lab::measure(Rocket::with_midway(scene), euler_method, steps);
+             return lab::measure(Rocket::with_midway(scene), methods::euler, steps);
          },
          [](const Rocket& scene, long steps) {
              const Rocket other = Rocket::with_midway(scene);
-             return lab::time_of([&] { lab::keep(lab::run(other, euler_method, steps)); });
+             return lab::time_of([&] { lab::keep(lab::run(other, methods::euler, steps)); });
          }}};
     report_ways(report, "rocket", before.need, lab::ways_to_meet(before, ways));
     const auto curves =
@@ -114,15 +116,15 @@ void launch(lab::Report& report) {
     report.number("launch.space_thrust",
                   (in_space.start.flow.rate * in_space.start.flow.velocity).norm(), "N");
 
-    auto entries = methods<Launch>();
-    entries.push_back({"Verlet, midway parcels",
+    auto entries = lab::entries<Launch>(newton_methods);
+    entries.push_back({"Verlet, midway parcels", variant(methods::verlet.look),
                        [](const Launch& s, long n) {
-                           return lab::measure(Rocket::with_midway(s), VerletFsal<Vector3>{}, n);
+                           return lab::measure(Rocket::with_midway(s), methods::verlet, n);
                        },
                        [](const Launch& s, long n) {
                            const Launch other = Rocket::with_midway(s);
                            return lab::time_of(
-                               [&] { lab::keep(lab::run(other, VerletFsal<Vector3>{}, n)); });
+                               [&] { lab::keep(lab::run(other, methods::verlet, n)); });
                        }});
     report_ways(report, "launch", scene.need, lab::ways_to_meet(scene, entries));
     const auto curves =
@@ -145,7 +147,7 @@ double books_of(lab::Report& report, const Rocket& flight, Eigen::Index axis,
     chart::Series rocket{"rocket"}, exhaust{"exhaust"}, total{"total"}, law{"P₀ + m₀ g t"};
     lab::Table data{{"t", "rocket", "exhaust", "total", "law"}, {}};
     double worst = 0;
-    lab::run(books, verlet_method, 300, [&](const RocketAndExhaust& all, double t) {
+    lab::run(books, methods::verlet, 300, [&](const RocketAndExhaust& all, double t) {
         const Vector3 exact = books.exact_momentum(t);
         worst = std::max(worst, (total_momentum(all) - exact).norm());
         for (auto* series : {&rocket, &exhaust, &total, &law}) series->x.push_back(t);
@@ -178,7 +180,7 @@ void momentum_books(lab::Report& report) {
     chart.subtitle = "Launch, Verlet, 300 parcels: parcels fall too.";
     chart.y.name = "momentum upwards [kg m/s]";
     const double field = books_of(report, Launch{}, 1, "books_gravity", chart);
-    const RocketAndExhaust end = lab::run(RocketBooks{}, verlet_method, 300);
+    const RocketAndExhaust end = lab::run(RocketBooks{}, methods::verlet, 300);
     report.say("Largest error of the sum: " + lab::rounded(space) + " kg m/s in space, " +
                lab::rounded(field) + " kg m/s under gravity, where single entries reach " +
                lab::rounded(exhaust_momentum(end).norm()) + " kg m/s.");
@@ -187,7 +189,7 @@ void momentum_books(lab::Report& report) {
     report.number("books.rocket", end.rocket.momentum.x(), "kg m/s");
     report.number("books.exhaust", exhaust_momentum(end).x(), "kg m/s");
     double most = 0, when = 0;
-    lab::run(RocketBooks{}, verlet_method, 3000, [&](const RocketAndExhaust& all, double t) {
+    lab::run(RocketBooks{}, methods::verlet, 3000, [&](const RocketAndExhaust& all, double t) {
         if (all.rocket.momentum.x() > most) most = all.rocket.momentum.x(), when = t;
     });
     report.number("books.rocket_most", most, "kg m/s");

@@ -99,7 +99,7 @@ void hang_a_chain(lab::Report& report) {
     SpringNet net = nutshell::chain(chain.masses, chain.mass, chain.link, {0, 0, 0}, {2, 0, 0});
     net.drag = 0.4, net.duration = 40;
     constexpr long steps = 20'000;
-    const Particles hung = lab::run(net, semi_implicit_euler_method, steps);
+    const Particles hung = lab::run(net, methods::semi_implicit_euler, steps);
     const auto exact = rest_shape(chain);
     double error = 0;
     lab::Table shape{{"point", "x_m", "y_m", "exact_x_m", "exact_y_m"}, {}};
@@ -169,30 +169,24 @@ void limits_of_methods(lab::Report& report, const SpringNet& a_chain, const Spri
     lab::Table table{{"method", "predicted", "found on the chain", "found on the cloth"}, {}};
     const double chain_omega = fastest_mode(a_chain, a_chain.start).frequency;
     const double cloth_omega = fastest_mode(a_cloth, a_cloth.start).frequency;
-    const auto line = [&](const std::string& name, const std::string& word, double theta,
-                          const auto& found) {
+    const auto line = [&](const auto& method, double theta) {
+        const auto found = [&](const SpringNet& net, double dt) {
+            return measured_limit(shaken(net), method, dt);
+        };
         const double on_chain = chain_omega * found(a_chain, theta / chain_omega);
         const double on_cloth = cloth_omega * found(a_cloth, theta / cloth_omega);
-        table.add({name, lab::rounded(theta, "%.4f"), lab::rounded(on_chain, "%.4f"),
+        const std::string word = method.key();
+        table.add({method.name, lab::rounded(theta, "%.4f"), lab::rounded(on_chain, "%.4f"),
                    lab::rounded(on_cloth, "%.4f")});
         report.number("net_limit." + word + ".predicted", theta);
         report.number("net_limit." + word + ".chain", on_chain);
         report.number("net_limit." + word + ".cloth", on_cloth);
     };
-    const auto runs = [](const auto& method) {
-        return [method](const SpringNet& net, double dt) {
-            return measured_limit(shaken(net), method, dt);
-        };
-    };
-    line("semi-implicit Euler", "semi_implicit_euler", 2, runs(semi_implicit_euler_method));
-    line("Verlet", "verlet", 2, runs(VerletFsal<ForceArrays>{}));
-    line("Yoshida 4", "yoshida4", composed_limit(yoshida_weights()),
-         runs(yoshida4<ForceArrays>()));
-    line("Kahan-Li 8", "kahan_li8", composed_limit(kahan_li_weights()),
-         runs(kahan_li8<ForceArrays>()));
-    line("RK4", "rk4", std::sqrt(8.0), [](const SpringNet& net, double dt) {
-        return measured_limit(NetFlow(shaken(net)), rk4_method, dt);
-    });
+    line(methods::semi_implicit_euler, 2);
+    line(methods::verlet, 2);
+    line(methods::yoshida4, composed_limit(yoshida_weights()));
+    line(methods::kahan_li8, composed_limit(kahan_li_weights()));
+    line(methods::rk4, std::sqrt(8.0));
     report.print(table);
     report.data("net_methods.csv", table);
 }
@@ -204,7 +198,7 @@ void find_limits(lab::Report& report) {
     const auto line = [&](const std::string& name, const std::string& word, const SpringNet& net,
                           double fastest) {
         const double formula = 2 / fastest, mode = 2 / fastest_mode(net, net.start).frequency,
-                     measured = measured_limit(shaken(net), VerletFsal<ForceArrays>{}, formula);
+                     measured = measured_limit(shaken(net), methods::verlet, formula);
         table.add({name, lab::rounded(formula, "%.6f"), lab::rounded(mode, "%.6f"),
                    lab::rounded(measured, "%.6f"), lab::rounded(measured / formula, "%.4f")});
         report.number("net_limit." + word + ".formula", formula, "s");
@@ -292,7 +286,8 @@ void hang_a_cloth(lab::Report& report) {
         net.start.position.x[i] *= narrower;
         net.start.position.z[i] += 0.3 * std::sin(pi * across) + 0.03 * std::sin(3 * pi * across);
     }
-    net.start = lab::run(net, semi_implicit_euler_method, std::lround(net.duration / settle_dt));
+    net.start =
+        lab::run(net, methods::semi_implicit_euler, std::lround(net.duration / settle_dt));
     double speed = 0;
     for (std::size_t i = 0; i < net.start.size(); ++i)
         speed = std::max(speed, net.start.velocity[i].norm());
@@ -316,7 +311,7 @@ void hang_a_cloth(lab::Report& report) {
     const double mode = 2 / fastest_mode(net, net.start, 4000).frequency;
     const auto strays = [&](double dt, long steps) {
         Particles all = net.start;
-        VerletFsal<ForceArrays> verlet_step;
+        auto verlet_step = methods::verlet.start(net);
         long step = 0;
         for (; step < steps && farthest(all, net.start) < 2 * side / n; ++step)
             all = verlet_step(std::move(all), net, double(step) * dt, dt);

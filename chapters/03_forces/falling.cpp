@@ -9,18 +9,10 @@ namespace nutshell {
 
 namespace {
 
-std::vector<lab::Entry<FallingWithDrag>> methods() {
-    using S = FallingWithDrag;
-    return {lab::entry<S>("Euler", euler_method),
-            lab::entry<S>("semi-implicit Euler", semi_implicit_euler_method),
-            lab::entry<S>("Verlet, naive", VerletFsal<Vector3>{}),
-            flow_entry<S>("explicit midpoint", explicit_midpoint_method),
-            flow_entry<S>("RK4", rk4_method),
-            flow_entry<S>("Dormand-Prince 5(4)", dormand_prince_method),
-            lab::entry<S>("exponential Verlet", ExponentialVerlet<>{}),
-            lab::entry<S>("exponential Yoshida 4", exponential_yoshida4()),
-            lab::entry<S>("exponential kick", exponential_kick_method)};
-}
+const auto entries = lab::entries<FallingWithDrag>(std::tuple{
+    methods::euler, methods::semi_implicit_euler, methods::verlet, methods::explicit_midpoint,
+    methods::rk4, methods::dormand_prince, methods::exponential_verlet_inside,
+    methods::exponential_yoshida4, methods::exponential_kick});
 
 /// The speed of a body that drag alone slows down, x = gamma dt/m, as four methods see it.
 void slowing_down(lab::Report& report) {
@@ -39,9 +31,10 @@ void slowing_down(lab::Report& report) {
     chart.x = {"steps", chart::Scale::linear, 0, 16};
     chart.y = {"velocity over its start", chart::Scale::linear, -2.5, 2.5};
     lab::Table data{{"method", "x", "step", "velocity"}, {}};
-    const auto follow = [&](const std::string& name, const std::string& style, auto method,
+    const auto follow = [&](const std::string& name, const std::string& style, const auto& method,
                             double x) {
         const Slowing scene{{1, {0, 0, 0}, {1, 0, 0}}, x};
+        auto step = method.start(scene);
         PointMass body = scene.start;
         chart::Series series{name};
         series.style = style, series.draw = chart::Draw::line_and_marks;
@@ -49,14 +42,14 @@ void slowing_down(lab::Report& report) {
             series.x.push_back(n), series.y.push_back(body.velocity.x());
             data.add(
                 {name, lab::rounded(x), std::to_string(n), lab::exact_digits(body.velocity.x())});
-            body = method(body, scene, 0.0, 1.0);
+            body = step(body, scene, 0.0, 1.0);
         }
         chart.series.push_back(std::move(series));
     };
-    follow("Euler, x = 0.5", "Euler", euler_method, 0.5);
-    follow("Euler, x = 1.5", "Euler", euler_method, 1.5);
-    follow("stale drag, x = 1.1", "printed step", mistakes::StaleEuler{}, 1.1);
-    follow("exponential kick, x = 1.5", "exponential kick", exponential_kick_method, 1.5);
+    follow("Euler, x = 0.5", "Euler", methods::euler, 0.5);
+    follow("Euler, x = 1.5", "Euler", methods::euler, 1.5);
+    follow("stale drag, x = 1.1", "printed step", mistakes::stale_euler, 1.1);
+    follow("exponential kick, x = 1.5", "exponential kick", methods::exponential_kick, 1.5);
     report.data("slowing.csv", data);
     chart::write_svg(chart, report.path("slowing.svg"));
 }
@@ -71,15 +64,15 @@ void falling(lab::Report& report) {
     report.number("falling.end_speed", scene.exact(scene.duration).velocity.norm(), "m/s");
     report.number("falling.depth", -scene.exact(scene.duration).position.y(), "m");
     report.number("falling.kick_300.error",
-                  lab::measure(scene, exponential_kick_method, 300).max_error, "m");
+                  lab::measure(scene, methods::exponential_kick, 300).max_error, "m");
     // Scaling the velocity alone, as `v *= 0.98` does: what is lost is the drift under it.
-    const double scaled = lab::measure(scene, semi_implicit_exponential_method, 300).max_error;
+    const double scaled = lab::measure(scene, methods::semi_implicit_exponential, 300).max_error;
     report.number("falling.scaled_300.error", scaled, "m");
-    report.number("falling.euler_300.error", lab::measure(scene, euler_method, 300).max_error,
+    report.number("falling.euler_300.error", lab::measure(scene, methods::euler, 300).max_error,
                   "m");
     lab::Table orders{{"method", "order"}, {}};
-    for (const auto& method : methods()) {
-        if (method.name == "exponential kick") continue;
+    for (const auto& method : entries) {
+        if (method.name == methods::exponential_kick.name) continue;  // exact
         std::vector<double> dts, errors;
         for (const long n : {80, 160, 320})
             dts.push_back(scene.duration / static_cast<double>(n)),
@@ -89,9 +82,9 @@ void falling(lab::Report& report) {
         report.number("falling." + key_of(method.name) + ".order", order);
     }
     report.print(orders);
-    least_work(report, "falling", scene, methods(), 1, 100'000);
+    least_work(report, "falling", scene, entries, 1, 100'000);
     auto curves =
-        lab::work_precision(scene, methods(), {1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000});
+        lab::work_precision(scene, entries, {1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000});
     draw_study(report, "falling", curves, scene.need, 60,
                "Drag: one method has nothing to improve",
                "A stone sinks with linear drag for 5 s. Down and left is better.", {-1, -2, -4});
@@ -101,7 +94,7 @@ void falling(lab::Report& report) {
     report.number("air.terminal_speed", air.terminal_speed(), "m/s");
     report.number("air.drag", air.air, "kg/m");
     report.number("air.depth", -air.exact(air.duration).position.y(), "m");
-    report.number("air.rk4.error", lab::measure(Flow(air), rk4_method, 20).max_error, "m");
+    report.number("air.rk4.error", lab::measure(air, methods::rk4, 20).max_error, "m");
 }
 
 }  // namespace nutshell

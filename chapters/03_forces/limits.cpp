@@ -22,9 +22,8 @@ void limits_table(lab::Report& report) {
     lab::Table table{
         {"method: predicted, found", "undamped", "damped, 0.1", "overdamped, 2", "drag alone"},
         {}};
-    each_method<Vector3, FlatPoint>([&](const std::string& name, const auto& method, auto as,
-                                        const OnSpring& theory) {
-        std::vector<std::string> cells{name};
+    each_limit([&](const auto& method, const OnSpring& theory) {
+        std::vector<std::string> cells{method.name};
         for (const Column& c : columns) {
             const double predicted = theory.limit(c.omega, c.g);
             if (predicted == 0 || !std::isfinite(predicted)) {
@@ -33,12 +32,12 @@ void limits_table(lab::Report& report) {
             }
             const long steps = std::max(30'000L, theory.steps_to_grow(3e3, c.omega, c.g));
             const auto stable = [&](double dt) {
-                return lab::stays_within(as(spring_of(c.omega, c.g)), method, dt, steps, 1000,
+                return lab::stays_within(spring_of(c.omega, c.g), method, dt, steps, 1000,
                                          [](const auto& s) { return size_of(s); });
             };
             const double found =
                 lab::stability_limit(stable, predicted / 2, predicted * 1.1, 1e-3);
-            const std::string key = "limit." + key_of(name) + "." + c.key;
+            const std::string key = "limit." + method.key() + "." + c.key;
             report.number(key, predicted);
             report.number(key + ".found", found);
             cells.push_back(lab::rounded(predicted, "%.4f") + " " + lab::rounded(found, "%.4f"));
@@ -53,40 +52,50 @@ constexpr int grid = 141;
 
 /// |one step| - 1 over the plane of z = lambda dt, by making the step: y' = lambda y as a
 /// rotation and a stretch.
+struct Linear {
+    double a, b;  // lambda dt = a + ib
+    Eigen::Vector2d start{1, 0};
+    Eigen::Vector2d operator()(const Eigen::Vector2d& y, double) const {
+        return {a * y[0] - b * y[1], b * y[0] + a * y[1]};
+    }
+};
+
 template <class Method>
-chart::Region general_region(const std::string& name, Method method, double left, double right,
-                             double top) {
-    using Flat = Eigen::Vector2d;
-    chart::Region region{name, left, right, -top, top, grid, grid, {}, name};
+chart::Region general_region(const Method& method) {
+    const double left = -4, right = 0.8, top = 3.2;
+    chart::Region region{method.name, left, right, -top, top, grid, grid, {}, method.name};
     for (int i = 0; i < grid; ++i)
         for (int j = 0; j < grid; ++j) {
-            const double a = left + (right - left) * j / (grid - 1),
-                         b = -top + 2 * top * i / (grid - 1);
-            const auto flow = [=](const Flat& y, double) -> Flat {
-                return {a * y[0] - b * y[1], b * y[0] + a * y[1]};
-            };
-            region.values.push_back(Method(method)(Flat(1, 0), flow, 0.0, 1.0).norm() - 1 - 1e-9);
+            const Linear scene{left + (right - left) * j / (grid - 1),
+                               -top + 2 * top * i / (grid - 1)};
+            auto step = method.start(scene);
+            region.values.push_back(step(scene.start, scene, 0.0, 1.0).norm() - 1 - 1e-9);
         }
     return region;
 }
 
 /// The border |R(z)| = 1: follow R(z) = e^(i phi) from z = 0 until it comes back.
-chart::Series border(Complex (*amplification)(Complex)) {
+chart::Series border(Complex (*stability)(Complex)) {
     chart::Series line;
     line.draw = chart::Draw::theory;
     Complex z = 0;
     for (int n = 0; n < 40 * 60; ++n) {
         const Complex target = std::polar(1.0, 2 * pi * n / 60);
-        for (int turn = 0; turn < 20; ++turn) {
-            const Complex h = 1e-6,
-                          slope = (amplification(z + h) - amplification(z - h)) / (2. * h);
-            z -= (amplification(z) - target) / slope;
+        for (int iteration = 0; iteration < 20; ++iteration) {
+            const Complex h = 1e-6, slope = (stability(z + h) - stability(z - h)) / (2. * h);
+            z -= (stability(z) - target) / slope;
         }
         line.x.push_back(z.real()), line.y.push_back(z.imag());
         if (n > 30 && std::abs(z) < 1e-6) break;
     }
     return line;
 }
+
+/// Euler's method for a flat state, which has no drift and kick.
+const Method flat_euler{methods::euler.name, methods::euler.look, 1, 1,
+                        on_flat([](const auto& y, const auto& f, double t, double dt) {
+                            return (y + dt * f(y, t)).eval();
+                        })};
 
 void general_regions(lab::Report& report) {
     chart::Chart chart;
@@ -96,19 +105,11 @@ void general_regions(lab::Report& report) {
     chart.y = {"Im λ dt", chart::Scale::linear, -3.2, 3.2};
     chart.equal_aspect = true;
     chart.height = 640;
-    chart.regions = {
-        general_region("Dormand-Prince 5(4)", DormandPrince<Eigen::Vector2d>{}, -4, 0.8, 3.2),
-        general_region("RK4", rk4_method, -4, 0.8, 3.2),
-        general_region("explicit midpoint", explicit_midpoint_method, -4, 0.8, 3.2),
-        general_region(
-            "Euler",
-            [](const auto& y, const auto& flow, double t, double dt) -> Eigen::Vector2d {
-                return y + dt * flow(y, t);
-            },
-            -4, 0.8, 3.2)};
-    for (auto* amplification : {Amplification::dormand_prince, Amplification::rk4,
-                                Amplification::midpoint, Amplification::euler})
-        chart.series.push_back(border(amplification));
+    chart.regions = {general_region(methods::dormand_prince), general_region(methods::rk4),
+                     general_region(methods::explicit_midpoint), general_region(flat_euler)};
+    for (auto* stability : {StabilityFunction::dormand_prince, StabilityFunction::rk4,
+                            StabilityFunction::explicit_midpoint, StabilityFunction::euler})
+        chart.series.push_back(border(stability));
     chart::write_svg(chart, report.path("regions.svg"));
 }
 
@@ -116,15 +117,17 @@ void general_regions(lab::Report& report) {
 /// spring with omega dt = |z| and g dt = -2 Re z; the value is the largest eigenvalue of one
 /// step, less 1.
 template <class Method>
-chart::Region spring_region(const std::string& style, const Method& method) {
+chart::Region spring_region(const Method& method) {
     const double left = -2.4, right = 0.6, top = 2.6;
-    chart::Region region{"", left, right, 0, top, grid, grid, {}, style};
+    chart::Region region{"", left, right, 0, top, grid, grid, {}, method.name};
     for (int i = 0; i < grid; ++i)
         for (int j = 0; j < grid; ++j) {
             const Complex z(left + (right - left) * j / (grid - 1), top * i / (grid - 1));
             const MassOnSpring scene = spring_of(std::abs(z), -2 * z.real());
-            const PointMass a = method(PointMass{1, {1, 0, 0}, {0, 0, 0}}, scene, 0.0, 1.0);
-            const PointMass b = method(PointMass{1, {0, 0, 0}, {1, 0, 0}}, scene, 0.0, 1.0);
+            const auto moved = [&](const Vector3& x, const Vector3& v) {
+                return method.start(scene)(PointMass{1, x, v}, scene, 0.0, 1.0);
+            };
+            const PointMass a = moved({1, 0, 0}, {0, 0, 0}), b = moved({0, 0, 0}, {1, 0, 0});
             const double half_trace = (a.position.x() + b.velocity.x()) / 2;
             const double determinant =
                 a.position.x() * b.velocity.x() - a.velocity.x() * b.position.x();
@@ -157,23 +160,23 @@ void spring_regions(lab::Report& report) {
     chart.x = {"Re λ dt", chart::Scale::linear, -2.4, 0.6};
     chart.y = {"Im λ dt", chart::Scale::linear, 0, 2.6};
     chart.equal_aspect = true;
-    chart.regions = {spring_region("Verlet, naive", verlet_method),
-                     spring_region("exponential Verlet", exponential_verlet_method),
-                     spring_region("semi-implicit Euler", semi_implicit_euler_method)};
-    const auto naive = [](double G) {
+    chart.regions = {spring_region(methods::verlet_re_evaluated),
+                     spring_region(methods::exponential_verlet),
+                     spring_region(methods::semi_implicit_euler)};
+    const auto verlet = [](double G) {
         const double a = 1 - G / 2;
         return 2 * std::sqrt((1 + a * a) / (1 + a));
     };
     const auto exponential = [](double) { return 2.0; };
     const auto semi_implicit = [](double G) { return std::sqrt(4 - 2 * G); };
-    chart.series = {spring_border(3.999, naive), spring_border(4, exponential),
+    chart.series = {spring_border(3.999, verlet), spring_border(4, exponential),
                     spring_border(2, semi_implicit)};
     const auto name = [&](double G, const auto& theta, const std::string& words) {
         chart.rings.push_back({-G / 2, std::sqrt(theta(G) * theta(G) - G * G / 4), words});
     };
-    name(1.0, semi_implicit, "semi-implicit Euler");
-    name(2.6, exponential, "exponential Verlet");
-    name(1.6, naive, "Verlet, naive");
+    name(1.0, semi_implicit, methods::semi_implicit_euler.name);
+    name(2.6, exponential, methods::exponential_verlet.name);
+    name(1.6, verlet, methods::verlet_re_evaluated.name);
     chart::write_svg(chart, report.path("regions_spring.svg"));
 }
 

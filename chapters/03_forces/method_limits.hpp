@@ -23,69 +23,45 @@ inline MassOnSpring spring_of(double omega, double g) {
 inline double size_of(const PointMass& s) {
     return std::max(std::abs(s.position.x()), std::abs(s.velocity.x()));
 }
-inline double size_of(const FlatPoint& y) {
-    return y.cwiseAbs().maxCoeff();
-}
 
-/// What a method moves: bodies, or flows y' = flow(y, t).
-struct Bodies {
-    template <class Scene>
-    const Scene& operator()(const Scene& scene) const {
-        return scene;
-    }
-};
-struct Flows {
-    Flow<MassOnSpring> operator()(const MassOnSpring& scene) const { return Flow(scene); }
-    NetFlow operator()(const SpringNet& net) const { return NetFlow(net); }
-};
-
-/// The force a method keeps for its next step: part of its state.
-inline std::optional<Vector3>& kept_force(VerletFsal<Vector3>& method) {
-    return method.kept;
+/// The force a stepper keeps for its next step: part of its state, where the force depends on the
+/// velocity.
+inline std::optional<Vector3>& kept_force(KeptVerlet<Vector3>& step) {
+    return step.kept;
 }
 template <std::size_t Count>
-std::optional<Vector3>& kept_force(Composed<VerletFsal<Vector3>, Count>& method) {
-    return method.method.kept;
+std::optional<Vector3>& kept_force(Composed<KeptVerlet<Vector3>, Count>& step) {
+    return step.part.kept;
 }
 
 /// One step on a spring as a matrix on (x, v), and on the force where the method keeps one.
 template <class Method>
-Eigen::MatrixXd spring_matrix(const Method& method, Bodies, double omega, double g, double dt) {
-    constexpr bool keeps = requires(Method m) {
-        kept_force(m);
-    };
+Eigen::MatrixXd spring_matrix(const Method& method, double omega, double g, double dt) {
     const MassOnSpring scene = spring_of(omega, g);
+    constexpr bool keeps = requires {
+        kept_force(std::declval<decltype(method.start(scene))&>());
+    };
     return lab::step_matrix(Eigen::VectorXd::Zero(keeps ? 3 : 2), [&](const Vector& y) -> Vector {
-        Method fresh = method;  // one that remembers starts fresh
-        if constexpr (keeps) kept_force(fresh) = Vector3(y[2], 0, 0);
-        const PointMass body = fresh(PointMass{1, {y[0], 0, 0}, {y[1], 0, 0}}, scene, 0.0, dt);
+        auto step = method.start(scene);
+        if constexpr (keeps) kept_force(step) = Vector3(y[2], 0, 0);
+        const PointMass body = step(PointMass{1, {y[0], 0, 0}, {y[1], 0, 0}}, scene, 0.0, dt);
         if constexpr (keeps)
-            return Vector3(body.position.x(), body.velocity.x(), kept_force(fresh)->x());
+            return Vector3(body.position.x(), body.velocity.x(), kept_force(step)->x());
         return Eigen::Vector2d(body.position.x(), body.velocity.x());
-    });
-}
-template <class Method>
-Eigen::MatrixXd spring_matrix(const Method& method, Flows, double omega, double g, double dt) {
-    const Flow<MassOnSpring> flow(spring_of(omega, g));
-    return lab::step_matrix(Eigen::VectorXd::Zero(2), [&](const Vector& y) -> Vector {
-        FlatPoint flat = FlatPoint::Zero();
-        flat[0] = y[0], flat[3] = y[1];
-        flat = Method(method)(flat, flow, 0.0, dt);
-        return Eigen::Vector2d(flat[0], flat[3]);
     });
 }
 
 /// The limit by the largest eigenvalue of that matrix: 0 if no step is stable, infinite if all
 /// are to 300/(omega + g). (Far beyond, a composition's steps back overflow.)
-template <class Method, class As>
-double limit_by_eigenvalue(const Method& method, As as, double omega, double g) {
+template <class Method>
+double limit_by_eigenvalue(const Method& method, double omega, double g) {
     if (omega > 0 && omega != 1)  // in units of 1/omega, in which the matrix is well scaled
-        return limit_by_eigenvalue(method, as, 1, g / omega) / omega;
+        return limit_by_eigenvalue(method, 1, g / omega) / omega;
     constexpr double slack = 2e-11;  // eigenvalues 1e-5 apart are known no better
     const double smallest = 0.005 / (omega + g);
     const double limit = first_limit(
         [&](double dt) {
-            return 1 + slack - lab::spectral_radius(spring_matrix(method, as, omega, g, dt));
+            return 1 + slack - lab::spectral_radius(spring_matrix(method, omega, g, dt));
         },
         smallest, 60'000);
     return limit < smallest ? 0 : limit;
@@ -107,64 +83,44 @@ struct OnSpring {
     }
 };
 
-/// Calls visit(name, method, as, theory) for every method; as is Bodies{} or Flows{}, theory an
-/// OnSpring whose limit is the closed form, or where there is none the largest eigenvalue.
-/// @tparam Push, Flat  what the scene's forces and flat states are: Vector3 and FlatPoint for one
-/// body, ForceArrays and Vector for a net
-template <class Push, class Flat, class Visit>
-void each_method(const Visit& visit) {
-    const Bodies bodies;
-    const Flows flows;
-    // `single` is the method for one body: the same, but where the type of what it keeps differs.
-    const auto row = [&](const char* name, const auto& method, const auto& single, auto as,
-                         const auto& limit) {
-        visit(std::string(name), method, as,
-              OnSpring{limit, [single, as](double omega, double g, double dt) {
-                           return spring_matrix(single, as, omega, g, dt);
-                       }});
+/// Calls visit(method, theory) for every method that moves a body on a spring; theory is an OnSpring
+/// whose limit is the closed form, or where there is none the largest eigenvalue.
+template <class Visit>
+void each_limit(const Visit& visit) {
+    const auto known = [&](const auto& method, const auto& limit) {
+        visit(method, OnSpring{limit, [&method](double omega, double g, double dt) {
+                                   return spring_matrix(method, omega, g, dt);
+                               }});
     };
-    const auto body = [&](const char* name, const auto& method, const auto& limit) {
-        row(name, method, method, bodies, limit);
-    };
-    const auto by_eigenvalue = [&](const char* name, const auto& method, const auto& single) {
-        row(name, method, single, bodies, [single](double omega, double g) {
-            return limit_by_eigenvalue(single, Bodies{}, omega, g);
+    const auto by_eigenvalue = [&](const auto& method) {
+        known(method, [&method](double omega, double g) {
+            return limit_by_eigenvalue(method, omega, g);
         });
     };
-    const auto flow = [&](const char* name, const auto& method, const auto& single,
-                          Complex (*amplification)(Complex)) {
-        row(name, method, single, flows, [amplification](double omega, double g) {
-            return general_limit(amplification, omega, g);
-        });
+    const auto general = [&](const auto& method, Complex (*stability)(Complex)) {
+        known(method,
+              [stability](double omega, double g) { return general_limit(stability, omega, g); });
     };
-    const Composed<Verlet, 3> yoshida{{}, yoshida_weights()};
-    const Composed<Verlet, 15> kahan_li{{}, kahan_li_weights()};
-
-    body("Euler", euler_method, euler_limit);
-    body("semi-implicit Euler", semi_implicit_euler_method, semi_implicit_limit);
-    body("semi-implicit, implicit drag", semi_implicit_division_method, division_limit);
-    body("semi-implicit, exponential drag", semi_implicit_exponential_method, exponential_limit);
-    by_eigenvalue("exponential kick", exponential_kick_method, exponential_kick_method);
-    body("Verlet, naive", verlet_method, naive_verlet_limit);
-    by_eigenvalue("Verlet, kept force", VerletFsal<Push>{}, VerletFsal<Vector3>{});
-    body("exponential Verlet", exponential_verlet_method,
-         [](double omega, double) { return exponential_verlet_limit(omega); });
-    row("exponential Verlet, half-drags inside", ExponentialVerlet<Push>{}, ExponentialVerlet<>{},
-        bodies, exponential_verlet_inside_limit);
-    by_eigenvalue("Yoshida 4, naive", yoshida, yoshida);
-    by_eigenvalue("Yoshida 4, kept force", yoshida4<Push>(), yoshida4());
-    by_eigenvalue("exponential Yoshida 4", exponential_yoshida4<Push>(), exponential_yoshida4());
-    by_eigenvalue("Kahan-Li 8, naive", kahan_li, kahan_li);
-    by_eigenvalue("Kahan-Li 8, kept force", kahan_li8<Push>(), kahan_li8());
-    flow("explicit midpoint", explicit_midpoint_method, explicit_midpoint_method,
-         Amplification::midpoint);
-    flow("RK4", rk4_method, rk4_method, Amplification::rk4);
-    flow("Dormand-Prince 5(4)", DormandPrince<Flat>{}, DormandPrince<FlatPoint>{},
-         Amplification::dormand_prince);
-    flow("implicit Euler", implicit_euler_method, implicit_euler_method,
-         Amplification::implicit_euler);
-    flow("implicit midpoint", implicit_midpoint_method, implicit_midpoint_method,
-         Amplification::implicit_midpoint);
+    known(methods::euler, euler_limit);
+    known(methods::semi_implicit_euler, semi_implicit_limit);
+    known(methods::semi_implicit_division, division_limit);
+    known(methods::semi_implicit_exponential, exponential_limit);
+    by_eigenvalue(methods::exponential_kick);
+    known(methods::verlet_re_evaluated, verlet_re_evaluated_limit);
+    by_eigenvalue(methods::verlet);
+    known(methods::exponential_verlet,
+          [](double omega, double) { return exponential_verlet_limit(omega); });
+    known(methods::exponential_verlet_inside, exponential_verlet_inside_limit);
+    by_eigenvalue(methods::yoshida4_re_evaluated);
+    by_eigenvalue(methods::yoshida4);
+    by_eigenvalue(methods::exponential_yoshida4);
+    by_eigenvalue(methods::kahan_li8_re_evaluated);
+    by_eigenvalue(methods::kahan_li8);
+    general(methods::explicit_midpoint, StabilityFunction::explicit_midpoint);
+    general(methods::rk4, StabilityFunction::rk4);
+    general(methods::dormand_prince, StabilityFunction::dormand_prince);
+    general(methods::implicit_euler, StabilityFunction::implicit_euler);
+    general(methods::implicit_midpoint, StabilityFunction::implicit_midpoint);
 }
 
 /// A net without gravity and drag, each particle that is not held with a little speed [m/s] of
@@ -180,15 +136,10 @@ inline SpringNet shaken(SpringNet net, double speed = 1e-9) {
     return net;
 }
 
-/// The greatest speed [m/s] of any particle; of a flat state, the greatest number among its
-/// velocities.
+/// The greatest speed [m/s] of any particle.
 inline double fastest_speed(const Particles& all) {
     double most = 0;
     for (std::size_t i = 0; i < all.size(); ++i) most = std::max(most, all.velocity[i].norm());
     return most;
 }
-inline double fastest_speed(const Vector& y) {
-    return y.tail(y.size() / 2).lpNorm<Eigen::Infinity>();
-}
-
 }  // namespace nutshell

@@ -24,7 +24,7 @@ ThrowInAir thrown(double speed, double linear, double air) {
 Case in_air(double speed) {
     Case c{thrown(speed, 0, ThrowInAir{}.air)};
     double low = 0.1 * speed / earth_gravity, high = 3 * speed / earth_gravity;
-    for (int turn = 0; turn < 50; ++turn) {
+    for (int halving = 0; halving < 50; ++halving) {
         const double middle = (low + high) / 2;
         (c.air.exact(middle).position.y() > 0 ? low : high) = middle;
     }
@@ -86,7 +86,7 @@ void model_ladder(lab::Report& report) {
     const auto limit =
         [&](const auto& model) {  // the speed at which the model is off by the ball's radius
             double low = 1, high = 40;
-            for (int turn = 0; turn < 20; ++turn) {
+            for (int halving = 0; halving < 20; ++halving) {
                 const double middle = std::sqrt(low * high);
                 (off_the_truth(model(middle), in_air(middle)) < ball_radius ? low : high) =
                     middle;
@@ -101,15 +101,14 @@ void model_ladder(lab::Report& report) {
     nothing.air = 0;
     honey.air = 0, honey.drag = ThrowInAir{}.air * full;
     const auto cheapest =
-        lab::fewest_steps(air, flow_entry<ThrowInAir>("RK4", rk4_method), air.need.tolerance);
+        lab::fewest_steps(air, lab::entry<ThrowInAir>(methods::rk4), air.need.tolerance);
     require(cheapest.has_value(), "model_ladder: RK4 did not reach a pixel");
     const double time_none =
-        lab::time_of([&] { lab::keep(lab::run(nothing, verlet_method, 1)); });
+        lab::time_of([&] { lab::keep(lab::run(nothing, methods::verlet, 1)); });
     const double time_linear =
-        lab::time_of([&] { lab::keep(lab::run(honey, exponential_kick_method, 1)); });
-    const Flow<ThrowInAir> flow(air);
+        lab::time_of([&] { lab::keep(lab::run(honey, methods::exponential_kick, 1)); });
     const double time_air =
-        lab::time_of([&] { lab::keep(lab::run(flow, rk4_method, cheapest->steps)); });
+        lab::time_of([&] { lab::keep(lab::run(air, methods::rk4, cheapest->steps)); });
     report.number("ladder.no_drag.nanoseconds", 1e9 * time_none, "ns");
     report.number("ladder.linear.nanoseconds", 1e9 * time_linear, "ns");
     report.number("ladder.air.nanoseconds", 1e9 * time_air, "ns");

@@ -14,12 +14,14 @@ using Path = std::vector<Vector3>;
 /// Height against time, as a pen on a strip of paper draws it: `stretch` metres to the right for
 /// each second.
 template <class Method>
-Path strip(const MassOnSpring& scene, Method method, double dt, int steps, double stretch) {
+Path strip(const MassOnSpring& scene, const Method& method, double dt, int steps,
+           double stretch) {
     Path points;
+    auto step = method.start(scene);
     PointMass s = scene.start;
     for (int n = 0; n <= steps; ++n) {
         points.push_back({stretch * n * dt, s.position.x(), 0});
-        s = method(s, scene, n * dt, dt);
+        s = step(s, scene, n * dt, dt);
     }
     return points;
 }
@@ -37,10 +39,10 @@ void limit_picture(lab::Report& report) {
     const double limit = 2 / scene.omega();
     const int steps = 8;
     const auto far = [&](double part) {
-        return std::abs(strip(scene, verlet_method, part * limit, steps, 1).back().y());
+        return std::abs(strip(scene, methods::verlet, part * limit, steps, 1).back().y());
     };
     double largest = 0;
-    for (const Vector3& p : strip(scene, verlet_method, 1.01 * limit, steps, 1))
+    for (const Vector3& p : strip(scene, methods::verlet, 1.01 * limit, steps, 1))
         largest = std::max(largest, std::abs(p.y()));
     report.number("picture.limit.largest", largest, "m");
     const pic::Note note{
@@ -54,7 +56,7 @@ void limit_picture(lab::Report& report) {
         const auto drawing_of = [&](double part) {
             pic::Drawing drawing;
             drawing.no_ground();
-            const Path points = strip(scene, verlet_method, part * limit, steps, 4);
+            const Path points = strip(scene, methods::verlet, part * limit, steps, 4);
             drawing.add(pic::Trail{.points = points,
                                    .colour = pic::palette::symplectic,
                                    .width = 2.5,
@@ -87,8 +89,8 @@ void damped_picture(lab::Report& report) {
     const int steps = 24;
     const double stretch = 1.6;
     double naive_off = 0, good_off = 0;
-    const Path naive = strip(scene, VerletFsal<Vector3>{}, dt, steps, stretch),
-               good = strip(scene, exponential_verlet_method, dt, steps, stretch);
+    const Path naive = strip(scene, methods::verlet, dt, steps, stretch),
+               good = strip(scene, methods::exponential_verlet, dt, steps, stretch);
     const Path exact = exact_strip(scene, dt * steps, steps, stretch);
     for (std::size_t i = 0; i < exact.size(); ++i)
         naive_off = std::max(naive_off, (naive[i] - exact[i]).norm()),
@@ -160,7 +162,7 @@ void clock_picture(lab::Report& report) {
     const int steps = 40;
     const Planet scene;
     Path by_time, by_clock, ellipse;
-    lab::run(scene, verlet_method, steps,
+    lab::run(scene, methods::verlet, steps,
              [&](const PointMass& p, double) { by_time.push_back(p.position); });
     TimedPlanet planet{scene.start};
     const LogHamiltonian leapfrog(scene.gm, scene.start);
@@ -175,10 +177,10 @@ void clock_picture(lab::Report& report) {
         "Verlet; logarithmic leapfrog",
         "1/40 orbit; 1/40 orbit of its own clock",
         {{"Verlet, error at the end",
-          scene.error(lab::run(scene, verlet_method, steps), scene.duration), "a"},
+          scene.error(lab::run(scene, methods::verlet, steps), scene.duration), "a"},
          {"logarithmic leapfrog, error at its end", scene.error(planet.body, planet.time), "a"}}};
     report.number("picture.clock.verlet",
-                  scene.error(lab::run(scene, verlet_method, steps), scene.duration), "a");
+                  scene.error(lab::run(scene, methods::verlet, steps), scene.duration), "a");
     report.number("picture.clock.leapfrog", scene.error(planet.body, planet.time), "a");
     pic::save(report.path("clock.png"), note, [&]() -> pic::Sheet {
         const pic::Size half{640, 520};

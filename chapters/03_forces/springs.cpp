@@ -7,51 +7,16 @@ namespace nutshell {
 
 namespace {
 
-std::vector<lab::Entry<MassOnSpring>> undamped_methods(const MassOnSpring& scene) {
-    using S = MassOnSpring;
-    return {
-        lab::entry<S>("Euler", euler_method),
-        lab::entry<S>("semi-implicit Euler", semi_implicit_euler_method),
-        lab::entry<S>("Verlet", VerletFsal<Vector3>{}),
-        lab::entry<S>("Yoshida 4", yoshida4()),
-        lab::entry<S>("Kahan-Li 8", kahan_li8()),
-        flow_entry<S>("explicit midpoint", explicit_midpoint_method),
-        flow_entry<S>("RK4", rk4_method),
-        flow_entry<S>("Dormand-Prince 5(4)", dormand_prince_method),
-        flow_entry<S>("implicit Euler", implicit_euler_method),
-        flow_entry<S>("implicit midpoint", implicit_midpoint_method),
-        lab::entry<S>("exact propagator", SpringPropagator{scene.omega(), scene.damping_rate()})};
-}
+const auto undamped_methods = lab::entries<MassOnSpring>(std::tuple{
+    methods::euler, methods::semi_implicit_euler, methods::verlet, methods::yoshida4,
+    methods::kahan_li8, methods::explicit_midpoint, methods::rk4, methods::dormand_prince,
+    methods::implicit_euler, methods::implicit_midpoint, methods::exact_propagator});
 
-std::vector<lab::Entry<MassOnSpring>> damped_methods(const MassOnSpring& scene) {
-    using S = MassOnSpring;
-    return {
-        lab::entry<S>("Euler", euler_method),
-        lab::entry<S>("semi-implicit Euler", semi_implicit_euler_method),
-        lab::entry<S>("Verlet, naive", VerletFsal<Vector3>{}),
-        lab::entry<S>("Yoshida 4, naive", yoshida4()),
-        lab::entry<S>("exponential kick", exponential_kick_method),
-        lab::entry<S>("exponential Verlet", ExponentialVerlet<>{}),
-        lab::entry<S>("exponential Yoshida 4", exponential_yoshida4()),
-        flow_entry<S>("RK4", rk4_method),
-        flow_entry<S>("Dormand-Prince 5(4)", dormand_prince_method),
-        flow_entry<S>("implicit midpoint", implicit_midpoint_method),
-        lab::entry<S>("exact propagator", SpringPropagator{scene.omega(), scene.damping_rate()})};
-}
-
-/// The energy over its start, once a step, at omega dt = theta.
-template <class Step, class Energy>
-chart::Series energies(const std::string& name, double theta, double periods, Step step,
-                       const Energy& energy) {
-    chart::Series series{name};
-    series.draw = chart::Draw::line;
-    const auto steps = static_cast<long>(periods * 2 * pi / theta);
-    const double first = energy();
-    for (long n = 0; n <= steps; ++n, step())
-        series.x.push_back(static_cast<double>(n) * theta / (2 * pi)),
-            series.y.push_back(energy() / first);
-    return series;
-}
+const auto damped_methods = lab::entries<MassOnSpring>(
+    std::tuple{methods::euler, methods::semi_implicit_euler, methods::verlet, methods::yoshida4,
+               methods::exponential_kick, methods::exponential_verlet_inside,
+               methods::exponential_yoshida4, methods::rk4, methods::dormand_prince,
+               methods::implicit_midpoint, methods::exact_propagator});
 
 void energy_of_ten_periods(lab::Report& report, const MassOnSpring& scene) {
     const double theta = 0.5, dt = theta / scene.omega();
@@ -60,26 +25,21 @@ void energy_of_ten_periods(lab::Report& report, const MassOnSpring& scene) {
     chart.subtitle = "Mass on a spring, ω dt = 0.5 (about 13 steps a period).";
     chart.x = {"periods", chart::Scale::linear, 0, 10};
     chart.y = {"energy over its start", chart::Scale::linear, 0, 2};
-    const auto kick_drift = [&](const std::string& name, auto method) {
-        PointMass s = scene.start;
-        chart.series.push_back(energies(
-            name, theta, 10, [&] { s = method(s, scene, 0.0, dt); },
-            [&] { return scene.energy(s); }));
-    };
-    const auto general = [&](const std::string& name, const auto& method) {
-        const Flow flow(scene);
-        FlatPoint y = flow.start;
-        chart.series.push_back(energies(
-            name, theta, 10, [&] { y = method(y, flow, 0.0, dt); },
-            [&] { return scene.energy(unflat(y, scene.start)); }));
-    };
-    kick_drift("Euler", euler_method);
-    kick_drift("semi-implicit Euler", semi_implicit_euler_method);
-    kick_drift("Verlet", verlet_method);
-    general("explicit midpoint", explicit_midpoint_method);
-    general("RK4", rk4_method);
-    general("implicit Euler", implicit_euler_method);
-    general("implicit midpoint", implicit_midpoint_method);
+    each(std::tuple{methods::euler, methods::semi_implicit_euler, methods::verlet,
+                    methods::explicit_midpoint, methods::rk4, methods::implicit_euler,
+                    methods::implicit_midpoint},
+         [&](const auto& method) {  // the energy over its start, once a step
+             chart::Series series{method.name};
+             series.draw = chart::Draw::line;
+             auto step = method.start(scene);
+             PointMass s = scene.start;
+             for (long n = 0; n <= static_cast<long>(10 * 2 * pi / theta); ++n) {
+                 series.x.push_back(static_cast<double>(n) * theta / (2 * pi));
+                 series.y.push_back(scene.energy(s) / scene.energy(scene.start));
+                 s = step(s, scene, 0.0, dt);
+             }
+             chart.series.push_back(std::move(series));
+         });
     for (const auto& series : chart.series) {
         double low = 1, high = 1;
         for (const double e : series.y) low = std::min(low, e), high = std::max(high, e);
@@ -143,7 +103,7 @@ void study(lab::Report& report, const MassOnSpring& scene, const std::string& ke
         lab::work_precision(scene, methods, {10, 20, 40, 80, 160, 320, 640, 1280, 2560, 5120});
     draw_study(report, key, curves, scene.need, 2.5, title, subtitle, {-1, -2, -4, -8});
     for (const auto& curve : curves)
-        report.number(key + "." + key_of(curve.method) + ".nanoseconds",
+        report.number(key + "." + key_of(curve.name) + ".nanoseconds",
                       1e9 * curve.runs[7].seconds_per_second * curve.runs[7].dt, "ns");  // a step
 }
 
@@ -152,7 +112,7 @@ void study(lab::Report& report, const MassOnSpring& scene, const std::string& ke
 void springs(lab::Report& report) {
     const MassOnSpring scene;
     report.heading("Mass on a spring: period 1 s, ten periods");
-    study(report, scene, "spring", undamped_methods(scene),
+    study(report, scene, "spring", undamped_methods,
           "Which method gives a pixel for the least work?",
           "Mass on a spring, ten periods. Down and left is better. Runs that blew up are left "
           "out.");
@@ -162,8 +122,8 @@ void springs(lab::Report& report) {
     const MassOnSpring damped = MassOnSpring::with_damping(0.1);
     report.heading("Damped spring: damping ratio 0.1");
     lab::Table orders{{"method", "order"}, {}};
-    for (const auto& method : damped_methods(damped)) {
-        if (method.name == "exact propagator") continue;
+    for (const auto& method : damped_methods) {
+        if (method.name == methods::exact_propagator.name) continue;
         std::vector<double> dts, errors;
         for (const long n : {2000, 4000, 8000})
             dts.push_back(damped.duration / static_cast<double>(n)),
@@ -174,7 +134,7 @@ void springs(lab::Report& report) {
         report.number("damped." + key_of(method.name) + ".order", order);
     }
     report.print(orders);
-    study(report, damped, "damped", damped_methods(damped), "Drag inside the kick costs an order",
+    study(report, damped, "damped", damped_methods, "Drag inside the kick costs an order",
           "Damped spring, ratio 0.1, ten seconds. Down and left is better. Runs that blew up are "
           "left out.");
 }

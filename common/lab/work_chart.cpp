@@ -11,7 +11,7 @@ chart::Chart work_precision_chart(const std::vector<Curve>& curves, const Need& 
     chart.tolerance = chart::Level{need.tolerance, need.reason};
     chart.ring_cheapest = true;
     for (const auto& curve : curves) {
-        chart::Series series{curve.method};
+        chart::Series series{curve.name};
         for (const auto& run : curve.runs) {
             series.x.push_back(cost == Cost::evaluations ? static_cast<double>(run.evaluations)
                                                          : run.seconds_per_second);
@@ -28,7 +28,7 @@ Table work_precision_data(const std::vector<Curve>& curves) {
                 {}};
     for (const auto& curve : curves)
         for (const auto& run : curve.runs)
-            table.add({curve.method, std::to_string(run.steps), exact_digits(run.dt),
+            table.add({curve.name, std::to_string(run.steps), exact_digits(run.dt),
                        std::to_string(run.evaluations), exact_digits(run.max_error),
                        exact_digits(run.final_error), exact_digits(run.seconds_per_second)});
     return table;

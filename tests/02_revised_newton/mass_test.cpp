@@ -50,8 +50,8 @@ TEST_CASE("the limit of small exchanges is m a = F + w dm/dt, at first order", "
 TEST_CASE("leaky cart: the truth is constant speed, at any step", "[cart]") {
     const LeakyCart cart;
     for (const long steps : {1L, 7L, 600L})
-        for_each_method([&](const std::string& name, auto method) {
-            INFO(name << ", " << steps << " steps");
+        each(newton_methods, [&](const auto& method) {
+            INFO(method.name << ", " << steps << " steps");
             const VariableMass end = lab::run(cart, method, steps);
             CHECK(end.mass == near(1, epsilon * 2 * static_cast<double>(steps)));
             // a step rounds the momentum twice, the position four times
@@ -62,8 +62,8 @@ TEST_CASE("leaky cart: the truth is constant speed, at any step", "[cart]") {
 
 TEST_CASE("E05: eqs. 11-15 read with K = m v speed the leaky cart up from 10 to 20 m/s", "[cart][erratum]") {
     const LeakyCart printed = LeakyCart::as_printed();
-    for_each_method([&](const std::string& name, auto method) {
-        INFO(name);
+    each(newton_methods, [&](const auto& method) {
+        INFO(method.name);
         const VariableMass end = lab::run(printed, method, 1000);
         CHECK(end.momentum == printed.start.momentum);  // "F = 0, so K is constant"
         CHECK(velocity(end).x() == near(20, 1e-11));
@@ -71,21 +71,21 @@ TEST_CASE("E05: eqs. 11-15 read with K = m v speed the leaky cart up from 10 to 
     // and it goes 200 ln 2 m instead of 100 m: position by the trapezium rule for 1/m, error <= dt^2/12 T
     // max|v''|
     const double dt = 0.01, bound = dt * dt / 12 * 10 * (20 * 2 * 0.01 * 1.01);
-    CHECK(lab::run(printed, euler_method, 1000).position.x() == near(200 * std::log(2), bound));
+    CHECK(lab::run(printed, methods::euler, 1000).position.x() == near(200 * std::log(2), bound));
 }
 
 TEST_CASE("E05: the truth is the same for every observer, the printed reading is not", "[cart][erratum]") {
     const Vector3 frame{10, 0, 0};                         // moves along with the cart
     const auto final_speed = [&](const LeakyCart& cart) {  // as told by the observer on the ground
-        return velocity(lab::run(cart.seen_from(frame), euler_method, 1000)).x() + frame.x();
+        return velocity(lab::run(cart.seen_from(frame), methods::euler, 1000)).x() + frame.x();
     };
     CHECK(final_speed(LeakyCart{}) == 10.0);
     CHECK(final_speed(LeakyCart::as_printed()) == 10.0);  // beside 20.0 when the ground does its own sums
     const LeakyCart slower = LeakyCart::as_printed().seen_from({4, 0, 0});
-    CHECK(velocity(lab::run(slower, euler_method, 1000)).x() + 4 ==
+    CHECK(velocity(lab::run(slower, methods::euler, 1000)).x() + 4 ==
           near(16, 1e-11));  // any speed is on offer
     const LeakyCart truth = LeakyCart{}.seen_from({4, 0, 0});
-    CHECK(velocity(lab::run(truth, euler_method, 1000)).x() + 4 == near(10, 1e-11));
+    CHECK(velocity(lab::run(truth, methods::euler, 1000)).x() + 4 == near(10, 1e-11));
 }
 
 TEST_CASE("E05: the printed reading is a rocket whose exhaust is as fast as itself", "[cart][erratum]") {
@@ -110,9 +110,9 @@ TEST_CASE("raindrop: momentum by the printed equations, to round-off of its sums
     const double bound = 4 * epsilon * static_cast<double>(steps + 1) * drop.exact(T).momentum.norm();
     const Vector3 euler_K = drop.start.momentum + gravity * (drop.m0 * T + drop.beta * T * (T - dt) / 2);
     const Vector3 half_kick_K = drop.start.momentum + gravity * (drop.m0 * T + drop.beta * T * T / 2);
-    CHECK((lab::run(drop, euler_method, steps).momentum - euler_K).norm() <= bound);
-    CHECK((lab::run(drop, semi_implicit_euler_method, steps).momentum - euler_K).norm() <= bound);
-    CHECK((lab::run(drop, verlet_method, steps).momentum - half_kick_K).norm() <= bound);
+    CHECK((lab::run(drop, methods::euler, steps).momentum - euler_K).norm() <= bound);
+    CHECK((lab::run(drop, methods::semi_implicit_euler, steps).momentum - euler_K).norm() <= bound);
+    CHECK((lab::run(drop, methods::verlet, steps).momentum - half_kick_K).norm() <= bound);
     CHECK((euler_K - half_kick_K).norm() > 10 * bound);  // the two are not the same number
 
     // eqs. (12), (13), (15) as printed, by hand, with the mass of the moment
@@ -122,22 +122,22 @@ TEST_CASE("raindrop: momentum by the printed equations, to round-off of its sums
         K += m * gravity * dt;
         m += drop.beta * dt;
     }
-    CHECK(K == lab::run(drop, euler_method, steps).momentum);
+    CHECK(K == lab::run(drop, methods::euler, steps).momentum);
 }
 
 TEST_CASE("raindrop: position at its order, and sideways it slows as 1/m", "[raindrop]") {
     const Raindrop drop;
-    CHECK_THAT(convergence(drop, euler_method, {200, 400, 800, 1600}), HasOrder(1));
-    CHECK_THAT(convergence(drop, semi_implicit_euler_method, {200, 400, 800, 1600}), HasOrder(1));
-    CHECK_THAT(convergence(drop, verlet_method, {50, 100, 200, 400}), HasOrder(2));
-    const VariableMass end = lab::run(drop, verlet_method, 100);
+    CHECK_THAT(convergence(drop, methods::euler, {200, 400, 800, 1600}), HasOrder(1));
+    CHECK_THAT(convergence(drop, methods::semi_implicit_euler, {200, 400, 800, 1600}), HasOrder(1));
+    CHECK_THAT(convergence(drop, methods::verlet, {50, 100, 200, 400}), HasOrder(2));
+    const VariableMass end = lab::run(drop, methods::verlet, 100);
     CHECK(end.momentum.x() == drop.start.momentum.x());
     CHECK(velocity(end).x() == near(3.0 / 5, 1e-13));
     // read with K constant per mass instead (w = 0): what arrives would bring the drop's own velocity, a free
     // fall
     Raindrop moving = drop;
     moving.start.flow.relative_to = RelativeTo::body;
-    const VariableMass fallen = lab::run(moving, verlet_method, 100);
+    const VariableMass fallen = lab::run(moving, methods::verlet, 100);
     CHECK((velocity(fallen) - (Vector3(3, 0, 0) + gravity * 4)).norm() <= 1e-12);
 }
 

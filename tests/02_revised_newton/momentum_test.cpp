@@ -8,8 +8,8 @@ using namespace nutshell;
 TEST_CASE("the same throw in momentum: bit for bit where the mass is a power of two", "[throw]") {
     const double mass = GENERATE(0.25, 1.0, 2.0, 1024.0);
     MomentumThrow scene = MomentumThrow::of_mass(mass);
-    for_each_method([&](const std::string& name, auto method) {
-        INFO(name << ", mass " << mass);
+    each(newton_methods, [&](const auto& method) {
+        INFO(method.name << ", mass " << mass);
         const PointMass in_velocity = lab::run(scene.ball, method, 180);
         const Particle body = lab::run(scene, method, 180);
         CHECK(body.position == in_velocity.position);
@@ -21,8 +21,8 @@ TEST_CASE("the same throw in momentum: to round-off for any mass", "[throw]") {
     const double mass = GENERATE(0.3, 7.0, 1e-5, 6e24);
     const long steps = 180;
     MomentumThrow scene = MomentumThrow::of_mass(mass);
-    for_each_method([&](const std::string& name, auto method) {
-        INFO(name << ", mass " << mass);
+    each(newton_methods, [&](const auto& method) {
+        INFO(method.name << ", mass " << mass);
         const PointMass in_velocity = lab::run(scene.ball, method, steps);
         const Particle body = lab::run(scene, method, steps);
         // A step rounds the velocity a few times by at most epsilon/2 of its size; the drift adds that up
@@ -41,11 +41,10 @@ TEST_CASE("the throw in momentum obeys chapter 1's error law", "[throw]") {
         return lab::run(scene, method, steps).position - scene.exact(T).position;
     };
     const double bound = 4 * epsilon * steps * 25 * T;
-    CHECK((off(euler_method) - throw_error(Method::euler, gravity, T, dt)).norm() <= bound);
-    CHECK(
-        (off(semi_implicit_euler_method) - throw_error(Method::semi_implicit_euler, gravity, T, dt)).norm() <=
-        bound);
-    CHECK((off(verlet_method) - throw_error(Method::verlet, gravity, T, dt)).norm() <= bound);
+    CHECK((off(methods::euler) - throw_error(Kicked::after_drift, gravity, T, dt)).norm() <= bound);
+    CHECK((off(methods::semi_implicit_euler) - throw_error(Kicked::before_drift, gravity, T, dt)).norm() <=
+          bound);
+    CHECK((off(methods::verlet) - throw_error(Kicked::half_and_half, gravity, T, dt)).norm() <= bound);
 }
 
 TEST_CASE("many forces are one force: the order of the list changes nothing beyond round-off",
@@ -59,13 +58,13 @@ TEST_CASE("many forces are one force: the order of the list changes nothing beyo
     const double force_bound = 4 * epsilon * sum_of_sizes, T = scene.duration;
     const double momentum_bound = force_bound * T + epsilon * steps * 60;
     const double position_bound = momentum_bound / scene.start.mass * T + 2 * epsilon * steps * 10;
-    const Particle first = lab::run(scene, verlet_method, steps);
+    const Particle first = lab::run(scene, methods::verlet, steps);
     const Vector3 first_force = scene(scene.start, 0.3);
     int orders = 0;
     double largest = 0;
     do {
         ++orders;
-        const Particle other = lab::run(scene, verlet_method, steps);
+        const Particle other = lab::run(scene, methods::verlet, steps);
         CHECK((scene(scene.start, 0.3) - first_force).norm() <= force_bound);
         CHECK((other.momentum - first.momentum).norm() <= momentum_bound);
         CHECK((other.position - first.position).norm() <= position_bound);
@@ -88,10 +87,10 @@ TEST_CASE("forces that depend on time only: the motions add as the forces do", "
     Vector3 sum = Vector3::Zero();
     double sum_of_paths = 0;
     for (std::size_t i = 0; i < 5; ++i) {
-        const Vector3 path = lab::run(Alone{scene, i}, verlet_method, steps).position;
+        const Vector3 path = lab::run(Alone{scene, i}, methods::verlet, steps).position;
         sum += path, sum_of_paths += path.norm();
     }
-    const Particle together = lab::run(scene, verlet_method, steps);
+    const Particle together = lab::run(scene, methods::verlet, steps);
     CHECK((together.position - sum).norm() <= epsilon * steps * sum_of_paths);
 }
 
@@ -107,9 +106,9 @@ TEST_CASE("many forces: exact solution and orders", "[superposition]") {
           1.1 * h * h / 12 * shake_a * w * w + 4e-16 * 40 / (h * h));
     CHECK((scene.exact(0).position - scene.start.position).norm() == 0);
 
-    CHECK_THAT(convergence(scene, euler_method, {1200, 2400, 4800, 9600}), HasOrder(1));
-    CHECK_THAT(convergence(scene, semi_implicit_euler_method, {1200, 2400, 4800, 9600}), HasOrder(1));
-    CHECK_THAT(convergence(scene, verlet_method, {120, 240, 480, 960}), HasOrder(2));
+    CHECK_THAT(convergence(scene, methods::euler, {1200, 2400, 4800, 9600}), HasOrder(1));
+    CHECK_THAT(convergence(scene, methods::semi_implicit_euler, {1200, 2400, 4800, 9600}), HasOrder(1));
+    CHECK_THAT(convergence(scene, methods::verlet, {120, 240, 480, 960}), HasOrder(2));
 }
 
 TEST_CASE("total_force: none, one, and a list of any kind", "[superposition]") {
@@ -138,5 +137,5 @@ TEST_CASE("contracts of chapter 2", "[contracts]") {
     // a rocket burnt past empty says so instead of flying on with a negative mass
     Rocket rocket;
     rocket.duration = 30;
-    CHECK_THROWS_WITH(lab::run(rocket, euler_method, 60), ContainsSubstring("mass left"));
+    CHECK_THROWS_WITH(lab::run(rocket, methods::euler, 60), ContainsSubstring("mass left"));
 }

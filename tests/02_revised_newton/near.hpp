@@ -1,4 +1,4 @@
-// Chapter 1's methods in turn, an error study, and numbers within a distance: shared by the tests of this
+// An error study, and numbers within a distance: shared by the tests of this
 // room.
 #pragma once
 #include <nutshell/lab/run.hpp>
@@ -7,13 +7,6 @@
 #include "check.hpp"
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
-
-template <class Check>
-void for_each_method(const Check& check) {
-    check("Euler", nutshell::euler_method);
-    check("semi-implicit Euler", nutshell::semi_implicit_euler_method);
-    check("Verlet", nutshell::verlet_method);
-}
 
 /// Maximum errors of a scene at several numbers of steps.
 template <class Scene, class Method>

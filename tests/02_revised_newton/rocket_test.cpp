@@ -6,8 +6,8 @@ using namespace nutshell;
 
 TEST_CASE("Tsiolkovsky's formula is the limit of many parcels: first order, midway second", "[rocket]") {
     const Rocket rocket;
-    for_each_method([&](const std::string& name, auto method) {
-        INFO(name);
+    each(newton_methods, [&](const auto& method) {
+        INFO(method.name);
         CHECK_THAT(convergence(rocket, method, {60, 120, 240, 480}), HasOrder(1));
         CHECK_THAT(convergence(Rocket::with_midway(rocket), method, {60, 120, 240, 480}), HasOrder(2));
     });
@@ -23,8 +23,8 @@ TEST_CASE("N parcels give exactly u times the sum of parcel over what is left", 
         midway_sum += parcel / (10 - (static_cast<double>(k) - 0.5) * parcel);
     }
     const double bound = 8 * epsilon * n * u * 2;
-    CHECK(velocity(lab::run(rocket, euler_method, n)).x() == near(u * sum, bound));
-    CHECK(velocity(lab::run(Rocket::with_midway(rocket), euler_method, n)).x() ==
+    CHECK(velocity(lab::run(rocket, methods::euler, n)).x() == near(u * sum, bound));
+    CHECK(velocity(lab::run(Rocket::with_midway(rocket), methods::euler, n)).x() ==
           near(u * midway_sum, bound));
     CHECK(u * sum > rocket_gain(u, 10, 2.5));
     CHECK(u * midway_sum < rocket_gain(u, 10, 2.5));
@@ -35,8 +35,9 @@ TEST_CASE("rocket plus exhaust: the momentum books balance to round-off, with an
     for (const Rocket& flight : {Rocket{}, Rocket{Launch{}}})
         for (const bool midway_parcels : {false, true})
             for (const long steps : {1L, 30L, 300L})
-                for_each_method([&](const std::string& name, auto method) {
-                    INFO(flight.name << ", " << name << ", " << steps << " steps, midway " << midway_parcels);
+                each(newton_methods, [&](const auto& method) {
+                    INFO(flight.name << ", " << method.name << ", " << steps << " steps, midway "
+                                     << midway_parcels);
                     RocketBooks books{midway_parcels ? Rocket::with_midway(flight) : flight};
                     // Every entry is a momentum of at most m0 u (the exhaust's), rounded by epsilon/2; there
                     // is one for each kick of each parcel (or the rocket), and the final sum rounds once per
@@ -58,7 +59,7 @@ TEST_CASE("rocket plus exhaust: the momentum books balance to round-off, with an
 TEST_CASE("balanced books are no proof of the right speed", "[rocket][books]") {
     const RocketBooks one_shot;
     const RocketAndExhaust end =
-        lab::run(one_shot, euler_method, 1);  // three quarters of the rocket in one parcel
+        lab::run(one_shot, methods::euler, 1);  // three quarters of the rocket in one parcel
     CHECK(total_momentum(end).norm() <= epsilon * 1000);
     CHECK(velocity(end.rocket).x() == near(300, 1e-12));  // the truth is 138.6
 }
@@ -73,17 +74,16 @@ TEST_CASE("the centre of mass of rocket and exhaust moves like chapter 1's ball"
     };
     // the sum of mass x position has terms up to m0 u T, each rounded once or twice a step
     const double bound = 4 * epsilon * steps * 40 * T;
-    CHECK((off(euler_method) - throw_error(Method::euler, gravity, T, dt)).norm() <= bound);
-    CHECK(
-        (off(semi_implicit_euler_method) - throw_error(Method::semi_implicit_euler, gravity, T, dt)).norm() <=
-        bound);
-    CHECK((off(verlet_method) - throw_error(Method::verlet, gravity, T, dt)).norm() <= bound);
+    CHECK((off(methods::euler) - throw_error(Kicked::after_drift, gravity, T, dt)).norm() <= bound);
+    CHECK((off(methods::semi_implicit_euler) - throw_error(Kicked::before_drift, gravity, T, dt)).norm() <=
+          bound);
+    CHECK((off(methods::verlet) - throw_error(Kicked::half_and_half, gravity, T, dt)).norm() <= bound);
 }
 
 TEST_CASE("the rocket with its exhaust is the rocket alone, bit for bit", "[rocket][books]") {
     const Launch launch;
-    for_each_method([&](const std::string& name, auto method) {
-        INFO(name);
+    each(newton_methods, [&](const auto& method) {
+        INFO(method.name);
         const VariableMass alone = lab::run(launch, method, 90);
         const RocketAndExhaust all = lab::run(RocketBooks{launch}, method, 90);
         CHECK(all.rocket.mass == alone.mass);
@@ -96,10 +96,10 @@ TEST_CASE("the rocket with its exhaust is the rocket alone, bit for bit", "[rock
 TEST_CASE("launch: place at its order, and second needs Verlet and midway parcels both", "[rocket]") {
     const Launch launch;
     const Launch midway_launch = Rocket::with_midway(launch);
-    CHECK_THAT(convergence(launch, euler_method, {200, 400, 800, 1600}), HasOrder(1));
-    CHECK_THAT(convergence(launch, verlet_method, {200, 400, 800, 1600}), HasOrder(1));
-    CHECK_THAT(convergence(midway_launch, euler_method, {200, 400, 800, 1600}), HasOrder(1));
-    CHECK_THAT(convergence(midway_launch, verlet_method, {50, 100, 200, 400}), HasOrder(2));
+    CHECK_THAT(convergence(launch, methods::euler, {200, 400, 800, 1600}), HasOrder(1));
+    CHECK_THAT(convergence(launch, methods::verlet, {200, 400, 800, 1600}), HasOrder(1));
+    CHECK_THAT(convergence(midway_launch, methods::euler, {200, 400, 800, 1600}), HasOrder(1));
+    CHECK_THAT(convergence(midway_launch, methods::verlet, {50, 100, 200, 400}), HasOrder(2));
 }
 
 TEST_CASE("the exact rocket: gain, height, and m a = F + w dm/dt", "[rocket][exact]") {

@@ -73,7 +73,7 @@ TEST_CASE("E08: the ends of a spring that meet during a run feel no force there,
                             c = verlet(s, stiff, 0, dt);
             CHECK((a.velocity.allFinite() && b.velocity.allFinite() && c.velocity.allFinite()));
             CHECK(a.position == Vector3(-2 * dt, 0, 0));
-            const auto y = rk4(flat(s), Flow<ToAnchor>(stiff), 0, dt);
+            const auto y = rk4(flat(s), right_hand_side(s, stiff), 0, dt);
             CHECK(y.allFinite());
         }
     }
@@ -108,16 +108,19 @@ TEST_CASE("the door: springs, drags, steps and limits say what is wrong") {
     CHECK_THROWS_WITH(checked(PointMass{1, {0, NAN, 0}, {0, 0, 0}}), ContainsSubstring("position"));
     CHECK_NOTHROW(checked(Spring{0, 0}));
     CHECK(checked(Spring{2, 3}).rest_length == 3);
-    const Flow flow{MassOnSpring{}};
+    const MassOnSpring spring;
+    const FlatPoint start = flat(spring.start);
+    const auto f = right_hand_side(spring.start, spring);
     const auto nothing = [](const FlatPoint&, double) {};
-    CHECK_THROWS_WITH(adaptive(flow.start, flow, 0, 1, {0, 1e-6}, 0.1, nothing),
+    CHECK_THROWS_WITH(adaptive(start, f, 0, 1, {0, 1e-6}, 0.1, nothing),
                       ContainsSubstring("absolute tolerance"));
-    CHECK_THROWS_WITH(adaptive(flow.start, flow, 0, 1, {1e-6, -1}, 0.1, nothing),
+    CHECK_THROWS_WITH(adaptive(start, f, 0, 1, {1e-6, -1}, 0.1, nothing),
                       ContainsSubstring("relative tolerance"));
-    CHECK_THROWS_WITH(adaptive(flow.start, flow, 0, 1, {}, 0, nothing), ContainsSubstring("first step"));
-    CHECK_THROWS_WITH(adaptive(flow.start, flow, 1, 1, {}, 0.1, nothing),
+    CHECK_THROWS_WITH(adaptive(start, f, 0, 1, {}, 0, nothing), ContainsSubstring("first step"));
+    CHECK_THROWS_WITH(adaptive(start, f, 1, 1, {}, 0.1, nothing),
                       ContainsSubstring("time from start to end"));
-    CHECK_THROWS_WITH(lab::run(MassOnSpring{}, verlet_method, 0), ContainsSubstring("at least one step"));
+    CHECK_THROWS_WITH(lab::run(MassOnSpring{}, methods::verlet_re_evaluated, 0),
+                      ContainsSubstring("at least one step"));
     CHECK_THROWS_WITH(run_until({Planet{}.start}, LogHamiltonian(1, Planet{}.start), 1, NAN),
                       ContainsSubstring("ds"));
 }
@@ -154,10 +157,7 @@ TEST_CASE("falling: the exact solutions solve their equations, and have their te
 }
 
 TEST_CASE("exact solutions against another method run tight, so that exact is not the same method again") {
-    const auto tight = [](const auto& scene) {
-        const Flow flow(scene);
-        return unflat(lab::run(flow, rk4_method, 20000), scene.start);
-    };
+    const auto tight = [](const auto& scene) { return lab::run(scene, methods::rk4, 20000); };
     CHECK(distance(tight(FallingWithDrag{}), FallingWithDrag{}.exact(5)) < 1e-10);
     CHECK(distance(tight(FallingInAir{}), FallingInAir{}.exact(5)) < 1e-10);
     for (const double ratio : {0.0, 0.1, 1.0, 2.0})
@@ -172,9 +172,9 @@ TEST_CASE("exact solutions against another method run tight, so that exact is no
 TEST_CASE("the exact propagator: any step, all three regimes, to a few units of round-off") {
     for (const double ratio : {0.0, 0.1, 0.9999999, 1.0, 1.0000001, 2.0, 50.0}) {
         const MassOnSpring spring = MassOnSpring::with_damping(ratio);
-        const SpringPropagator one{spring.omega(), spring.damping_rate()};
-        for (const long steps : {1, 10, 1000}) CHECK(lab::measure(spring, one, steps).max_error < 2e-13);
-        CHECK(lab::measure(spring, one, 10).evaluations == 0);
+        for (const long steps : {1, 10, 1000})
+            CHECK(lab::measure(spring, methods::exact_propagator, steps).max_error < 2e-13);
+        CHECK(lab::measure(spring, methods::exact_propagator, 10).evaluations == 0);
         // Two half steps are a whole one.
         const double w = spring.omega(), g = spring.damping_rate();
         CHECK((oscillation(w, g, 0.07) * oscillation(w, g, 0.07) - oscillation(w, g, 0.14)).norm() < 1e-13);
@@ -191,7 +191,7 @@ TEST_CASE("the exponential kick: exact under gravity at any step, from no drag t
         scene.drag = drag;
         scene.start.velocity = {3, 4, 0};
         const PointMass once = exponential_kick(scene.start, scene, 0, 5);
-        const PointMass often = lab::run(scene, exponential_kick_method, 640);
+        const PointMass often = lab::run(scene, methods::exponential_kick, 640);
         CHECK((once.position - often.position).norm() < 1e-11);
         CHECK((once.velocity - often.velocity).norm() < 1e-11);
         if (drag == 0)
@@ -213,33 +213,34 @@ TEST_CASE("E59, table 3.8: drag from the last step's velocity is stable to 1 onl
         double gamma;
         Vector3 operator()(const PointMass& s, double) const { return linear_drag_force(gamma, s.velocity); }
     };
-    const auto largest = [](auto method, double x) {  // of |v| in steps 300 to 400
+    const auto largest = [](const auto& method, double x) {  // of |v| in steps 300 to 400
         const Drag drag{{1, {0, 0, 0}, {1, 0, 0}}, x};
         PointMass s = drag.start;
         double most = 0;
+        auto step = method.start(drag);
         for (int n = 1; n <= 400; ++n) {
-            s = method(s, drag, 0.0, 1.0);
+            s = step(s, drag, 0.0, 1.0);
             if (n >= 300) most = std::max(most, s.velocity.norm());
         }
         return std::log10(most);
     };
-    using mistakes::StaleEuler;
-    CHECK(largest(euler_method, 0.5) == Approx(std::log10(1e-91)).margin(1));
-    CHECK(largest(StaleEuler{}, 0.5) == Approx(std::log10(2e-46)).margin(1));
-    CHECK(largest(StaleEuler{}, 0.9) == Approx(std::log10(1e-7)).margin(0.6));
-    CHECK(largest(StaleEuler{}, 1.0) == Approx(0).margin(1e-12));
-    CHECK(largest(StaleEuler{}, 1.1) == Approx(std::log10(2e8)).margin(0.6));
-    CHECK(largest(StaleEuler{}, 1.9) == Approx(std::log10(8e55)).margin(1));
-    CHECK(largest(StaleEuler{}, 2.1) == Approx(std::log10(3e64)).margin(1));
-    CHECK(largest(euler_method, 1.9) == Approx(std::log10(1.5e-14)).margin(1));
-    CHECK(largest(euler_method, 2.1) == Approx(std::log10(3.6e16)).margin(1));
+    using mistakes::stale_euler;
+    CHECK(largest(methods::euler, 0.5) == Approx(std::log10(1e-91)).margin(1));
+    CHECK(largest(stale_euler, 0.5) == Approx(std::log10(2e-46)).margin(1));
+    CHECK(largest(stale_euler, 0.9) == Approx(std::log10(1e-7)).margin(0.6));
+    CHECK(largest(stale_euler, 1.0) == Approx(0).margin(1e-12));
+    CHECK(largest(stale_euler, 1.1) == Approx(std::log10(2e8)).margin(0.6));
+    CHECK(largest(stale_euler, 1.9) == Approx(std::log10(8e55)).margin(1));
+    CHECK(largest(stale_euler, 2.1) == Approx(std::log10(3e64)).margin(1));
+    CHECK(largest(methods::euler, 1.9) == Approx(std::log10(1.5e-14)).margin(1));
+    CHECK(largest(methods::euler, 2.1) == Approx(std::log10(3.6e16)).margin(1));
 
     const auto swings = [](double x) {  // does the velocity ever turn round?
         const Drag drag{{1, {0, 0, 0}, {1, 0, 0}}, x};
-        StaleEuler method;
+        auto step = stale_euler.start(drag);
         PointMass s = drag.start;
         for (int n = 0; n < 2000; ++n) {
-            s = method(s, drag, 0.0, 1.0);
+            s = step(s, drag, 0.0, 1.0);
             if (s.velocity.x() < 0) return true;
         }
         return false;
@@ -247,18 +248,19 @@ TEST_CASE("E59, table 3.8: drag from the last step's velocity is stable to 1 onl
     CHECK_FALSE(swings(0.25 * 0.99));
     CHECK(swings(0.25 * 1.01));
     CHECK(lab::stability_limit([&](double x) { return !swings(x); }, 0.1, 1.0) == Approx(0.25).epsilon(0.01));
-    CHECK(lab::stability_limit([&](double x) { return largest(StaleEuler{}, x) <= 0; }, 0.5, 1.5) ==
+    CHECK(lab::stability_limit([&](double x) { return largest(stale_euler, x) <= 0; }, 0.5, 1.5) ==
           Approx(1).epsilon(0.01));
 }
 
 TEST_CASE("step control: the error follows the tolerance, and trouble is said, not looped over") {
-    const Flow flow{Planet::for_orbits(10)};
+    const Planet scene = Planet::for_orbits(10);
     double last = 1e9;
     for (const double tolerance : {1e-5, 1e-7, 1e-9, 1e-11}) {
         long steps = 0;
-        const FlatPoint end = adaptive(flow.start, flow, 0, flow.duration, {tolerance, tolerance}, 0.01,
-                                       [&](const FlatPoint&, double) { ++steps; });
-        const double error = flow.error(end, flow.duration);
+        const FlatPoint end =
+            adaptive(flat(scene.start), right_hand_side(scene.start, scene), 0, scene.duration,
+                     {tolerance, tolerance}, 0.01, [&](const FlatPoint&, double) { ++steps; });
+        const double error = scene.error(unflat(end, scene.start), scene.duration);
         CHECK(error < last / 10);
         CHECK(error < 1e5 * tolerance);
         CHECK(steps < 4000);
@@ -281,12 +283,11 @@ TEST_CASE("step control: the error follows the tolerance, and trouble is said, n
                       ContainsSubstring("smaller dt"));
 }
 
-TEST_CASE("general-purpose methods take flows of any size, also one not known beforehand") {
-    const auto flow = [](const Vector& y, double) -> Vector { return -y; };
+TEST_CASE("general-purpose methods take right-hand sides of any size, also one not known beforehand") {
+    const auto f = [](const Vector& y, double) -> Vector { return -y; };
     const Vector start = Vector::LinSpaced(5, 1, 5);
-    CHECK((rk4(start, flow, 0, 0.1) - std::exp(-0.1) * start).norm() < 1e-6);
-    CHECK((implicit_midpoint(start, flow, 0, 0.1) - 0.95 / 1.05 * start).norm() < 1e-12);
-    CHECK((adaptive(start, flow, 0, 1, {1e-10, 1e-10}, 0.1, [](const Vector&, double) {}) -
-           std::exp(-1) * start)
+    CHECK((rk4(start, f, 0, 0.1) - std::exp(-0.1) * start).norm() < 1e-6);
+    CHECK((implicit_midpoint(start, f, 0, 0.1) - 0.95 / 1.05 * start).norm() < 1e-12);
+    CHECK((adaptive(start, f, 0, 1, {1e-10, 1e-10}, 0.1, [](const Vector&, double) {}) - std::exp(-1) * start)
               .norm() < 1e-8);
 }

@@ -1,4 +1,5 @@
 // Chapter 3: every method converges at its order, on the scenes it is made for and on those it is not.
+#include <map>
 #include <nutshell/forces_methods.hpp>
 #include <nutshell/forces_scenes.hpp>
 #include <nutshell/log_hamiltonian.hpp>
@@ -7,84 +8,76 @@
 
 using namespace nutshell;
 
-TEST_CASE("orders on the undamped spring") {
-    const MassOnSpring spring;
-    const Flow flow(spring);
-    CHECK_THAT(errors(spring, euler_method, {100000, 200000, 400000}), HasOrder(1));
-    CHECK_THAT(errors(spring, semi_implicit_euler_method, {8000, 16000, 32000}), HasOrder(1));
-    CHECK_THAT(errors(spring, verlet_method, {1000, 2000, 4000}), HasOrder(2));
-    CHECK_THAT(errors(spring, VerletFsal<Vector3>{}, {1000, 2000, 4000}), HasOrder(2));
-    CHECK_THAT(errors(spring, yoshida4(), {500, 1000, 2000}), HasOrder(4));
-    CHECK_THAT(errors(spring, kahan_li8(), {100, 150, 200}), HasOrder(8, 0.1));
-    CHECK_THAT(errors(flow, explicit_midpoint_method, {2000, 4000, 8000}), HasOrder(2));
-    CHECK_THAT(errors(flow, rk4_method, {500, 1000, 2000}), HasOrder(4));
-    CHECK_THAT(errors(flow, dormand_prince_method, {200, 400, 800}), HasOrder(5));
-    CHECK_THAT(errors(flow, implicit_euler_method, {100000, 200000, 400000}), HasOrder(1));
-    CHECK_THAT(errors(flow, implicit_midpoint_method, {1000, 2000, 4000}), HasOrder(2));
+namespace {
+
+template <class Scene>
+double drag_of(const Scene& scene) {
+    if constexpr (requires { scene.drag; })
+        return scene.drag;
+    else
+        return 0;
 }
 
-TEST_CASE("orders on the damped spring: drag inside the kick costs Verlet and Yoshida theirs") {
+/// Each method's order on a scene. @param steps  of a method of order 1, 2, 4, 5 and 8
+/// @param exact  the name of a method that has no error here
+template <class Scene, class List>
+void check_orders(const Scene& scene, const List& methods, const std::map<int, std::vector<long>>& steps,
+                  const char* exact = "") {
+    each(methods, [&](const auto& method) {
+        if (std::string(method.name) == exact) return;
+        // Verlet and its kin are made for forces of position and time: drag in a kick costs them their order.
+        const bool spoilt = method.look.family == Family::symplectic && drag_of(scene) > 0;
+        const int order = spoilt ? 1 : method.order;
+        INFO(method.name << ", order " << order);
+        CHECK_THAT(errors(scene, method, steps.at(order)), HasOrder(order, order < 5 ? 0.05 : 0.25));
+    });
+}
+
+const auto every_method = std::tuple_cat(kick_and_drift_methods, general_methods);
+
+}  // namespace
+
+TEST_CASE("orders on the undamped spring") {
+    check_orders(MassOnSpring{}, every_method,
+                 {{1, {100000, 200000, 400000}},
+                  {2, {1000, 2000, 4000}},
+                  {4, {500, 1000, 2000}},
+                  {5, {200, 400, 800}},
+                  {8, {100, 150, 200}}});
+}
+
+TEST_CASE("orders on the damped spring: drag inside the kick costs Verlet and its kin theirs") {
     for (const double ratio : {0.1, 1.0, 2.0}) {
         INFO("damping ratio " << ratio);
-        const MassOnSpring spring = MassOnSpring::with_damping(ratio);
-        const Flow flow(spring);
-        const long k = ratio > 1 ? 6 : 2;  // the fast part of the overdamped spring asks for small steps
-        CHECK_THAT(errors(spring, euler_method, {20000, 40000, 80000}), HasOrder(1));
-        CHECK_THAT(errors(spring, semi_implicit_euler_method, {10000, 20000, 40000}), HasOrder(1));
-        CHECK_THAT(errors(spring, semi_implicit_exponential_method, {20000, 40000, 80000}), HasOrder(1));
-        CHECK_THAT(errors(spring, semi_implicit_division_method, {20000, 40000, 80000}), HasOrder(1));
-        CHECK_THAT(errors(spring, exponential_kick_method, {20000, 40000, 80000}), HasOrder(1));
-        CHECK_THAT(errors(spring, verlet_method, {20000, 40000, 80000}), HasOrder(1));
-        CHECK_THAT(errors(spring, VerletFsal<Vector3>{}, {20000, 40000, 80000}), HasOrder(1));
-        CHECK_THAT(errors(spring, yoshida4(), {20000, 40000, 80000}), HasOrder(1));
-        CHECK_THAT(errors(spring, exponential_verlet_method, {1000, 2000, 4000}), HasOrder(2));
-        CHECK_THAT(errors(spring, ExponentialVerlet<>{}, {1000, 2000, 4000}), HasOrder(2));
-        CHECK_THAT(errors(spring, exponential_yoshida4(), {800, 1600, 3200}), HasOrder(4));
-        CHECK_THAT(errors(flow, rk4_method, {800 * k, 1600 * k, 3200 * k}), HasOrder(4));
-        CHECK_THAT(errors(flow, dormand_prince_method, {400 * k, 600 * k, 800 * k}), HasOrder(5, 0.15));
-        CHECK_THAT(errors(flow, implicit_midpoint_method, {2000, 4000, 8000}), HasOrder(2));
+        const long k = ratio > 1 ? 3 : 1;  // the fast part of the overdamped spring asks for small steps
+        check_orders(MassOnSpring::with_damping(ratio), every_method,
+                     {{1, {40000, 80000, 160000}},
+                      {2, {2000 * k, 4000 * k, 8000 * k}},
+                      {4, {1600 * k, 3200 * k, 6400 * k}},
+                      {5, {800 * k, 1200 * k, 1600 * k}}});
     }
 }
 
 TEST_CASE("orders of falling with linear drag") {
     const FallingWithDrag falling;
-    const Flow flow(falling);
-    CHECK_THAT(errors(falling, euler_method, {1000, 2000, 4000}), HasOrder(1));
-    CHECK_THAT(errors(falling, semi_implicit_euler_method, {1000, 2000, 4000}), HasOrder(1));
-    CHECK_THAT(errors(falling, verlet_method, {1000, 2000, 4000}), HasOrder(1));
-    CHECK_THAT(errors(falling, VerletFsal<Vector3>{}, {1000, 2000, 4000}), HasOrder(1));
-    CHECK_THAT(errors(falling, exponential_verlet_method, {100, 200, 400}), HasOrder(2));
-    CHECK_THAT(errors(falling, exponential_yoshida4(), {20, 40, 80}), HasOrder(4));
-    CHECK_THAT(errors(flow, explicit_midpoint_method, {200, 400, 800}), HasOrder(2));
-    CHECK_THAT(errors(flow, rk4_method, {100, 200, 400}), HasOrder(4));
-    CHECK_THAT(errors(flow, dormand_prince_method, {80, 120, 160}), HasOrder(5, 0.1));
-    CHECK_THAT(errors(flow, implicit_euler_method, {1000, 2000, 4000}), HasOrder(1));
-    CHECK_THAT(errors(flow, implicit_midpoint_method, {200, 400, 800}), HasOrder(2));
-    // Scaling the velocity alone, with Euler's drift, is first order under gravity; the exponential kick is
-    // exact.
-    CHECK_THAT(errors(falling, semi_implicit_exponential_method, {1000, 2000, 4000}), HasOrder(1));
+    check_orders(falling, every_method,
+                 {{1, {1000, 2000, 4000}}, {2, {200, 400, 800}}, {4, {40, 80, 160}}, {5, {80, 120, 160}}},
+                 methods::exponential_kick.name);
     for (const long steps : {1, 7, 500})
-        CHECK(lab::measure(falling, exponential_kick_method, steps).max_error < 1e-12);
+        CHECK(lab::measure(falling, methods::exponential_kick, steps).max_error < 1e-12);
 }
 
 TEST_CASE("orders of falling in air, where the drag is not linear") {
-    const Flow flow{FallingInAir{}};
-    CHECK_THAT(errors(flow, explicit_midpoint_method, {200, 400, 800}), HasOrder(2));
-    CHECK_THAT(errors(flow, rk4_method, {200, 400, 800}), HasOrder(4));
-    CHECK_THAT(errors(flow, dormand_prince_method, {80, 120, 160}), HasOrder(5, 0.1));
-    CHECK_THAT(errors(flow, implicit_euler_method, {1000, 2000, 4000}), HasOrder(1));
-    CHECK_THAT(errors(flow, implicit_midpoint_method, {200, 400, 800}), HasOrder(2));
+    check_orders(FallingInAir{}, general_methods,
+                 {{1, {1000, 2000, 4000}}, {2, {200, 400, 800}}, {4, {200, 400, 800}}, {5, {80, 120, 160}}});
 }
 
 TEST_CASE("orders on the planet") {
-    const Planet planet;
-    const Flow flow(planet);
-    CHECK_THAT(errors(planet, yoshida4(), {2000, 4000, 8000}), HasOrder(4));
-    CHECK_THAT(errors(planet, kahan_li8(), {200, 250, 300}), HasOrder(8, 0.25));
-    CHECK_THAT(errors(flow, explicit_midpoint_method, {4000, 8000, 16000}), HasOrder(2));
-    CHECK_THAT(errors(flow, rk4_method, {2000, 4000, 8000}), HasOrder(4));
-    CHECK_THAT(errors(flow, dormand_prince_method, {1600, 2400, 3200}), HasOrder(5, 0.15));
-    CHECK_THAT(errors(flow, implicit_midpoint_method, {2000, 4000, 8000}), HasOrder(2));
+    check_orders(
+        Planet{},
+        std::tuple{methods::yoshida4, methods::kahan_li8, methods::explicit_midpoint, methods::rk4,
+                   methods::dormand_prince, methods::implicit_midpoint},
+        {{2, {4000, 8000, 16000}}, {4, {2000, 4000, 8000}}, {5, {1600, 2400, 3200}}, {8, {200, 250, 300}}});
 }
 
 namespace {
@@ -115,26 +108,13 @@ struct ShakenSpring {
 }  // namespace
 
 TEST_CASE("orders where the force depends on time too") {
-    const ShakenSpring free{0}, dragged{1.5};
-    CHECK_THAT(errors(free, euler_method, {10000, 20000, 40000}), HasOrder(1));
-    CHECK_THAT(errors(free, semi_implicit_euler_method, {2000, 4000, 8000}), HasOrder(1));
-    CHECK_THAT(errors(free, verlet_method, {1000, 2000, 4000}), HasOrder(2));
-    CHECK_THAT(errors(free, VerletFsal<Vector3>{}, {1000, 2000, 4000}), HasOrder(2));
-    CHECK_THAT(errors(free, yoshida4(), {200, 400, 800}), HasOrder(4));
-    CHECK_THAT(errors(free, kahan_li8(), {40, 50, 60}), HasOrder(8, 0.2));
-    CHECK_THAT(errors(dragged, semi_implicit_exponential_method, {2000, 4000, 8000}), HasOrder(1));
-    CHECK_THAT(errors(dragged, semi_implicit_division_method, {2000, 4000, 8000}), HasOrder(1));
-    CHECK_THAT(errors(dragged, exponential_kick_method, {10000, 20000, 40000}), HasOrder(1));
-    CHECK_THAT(errors(dragged, exponential_verlet_method, {1000, 2000, 4000}), HasOrder(2));
-    CHECK_THAT(errors(dragged, ExponentialVerlet<>{}, {1000, 2000, 4000}), HasOrder(2));
-    CHECK_THAT(errors(dragged, exponential_yoshida4(), {200, 400, 800}), HasOrder(4));
-    for (const Flow<ShakenSpring>& flow : {Flow(free), Flow(dragged)}) {
-        CHECK_THAT(errors(flow, explicit_midpoint_method, {2000, 4000, 8000}), HasOrder(2));
-        CHECK_THAT(errors(flow, rk4_method, {200, 400, 800}), HasOrder(4));
-        CHECK_THAT(errors(flow, dormand_prince_method, {100, 200, 400}), HasOrder(5, 0.1));
-        CHECK_THAT(errors(flow, implicit_euler_method, {10000, 20000, 40000}), HasOrder(1));
-        CHECK_THAT(errors(flow, implicit_midpoint_method, {1000, 2000, 4000}), HasOrder(2));
-    }
+    const std::map<int, std::vector<long>> steps{{1, {10000, 20000, 40000}},
+                                                 {2, {2000, 4000, 8000}},
+                                                 {4, {200, 400, 800}},
+                                                 {5, {100, 200, 400}},
+                                                 {8, {40, 50, 60}}};
+    check_orders(ShakenSpring{0}, every_method, steps);
+    check_orders(ShakenSpring{1.5}, every_method, steps);
 }
 
 namespace {
@@ -160,10 +140,8 @@ TEST_CASE("the logarithmic leapfrog: orders 2, 4 and 8, always on the exact elli
     // A third of an orbit: at whole orbits the error of the time is all there is, and its order looks the
     // same.
     CHECK_THAT(logarithmic(leapfrog, {128, 256, 512}, 1. / 3), HasOrder(2));
-    CHECK_THAT(logarithmic(Composed<LogHamiltonian, 3>{leapfrog, yoshida_weights()}, {64, 128, 256}, 1. / 3),
-               HasOrder(4));
-    CHECK_THAT(logarithmic(Composed<LogHamiltonian, 15>{leapfrog, kahan_li_weights()}, {16, 20, 24}, 1. / 3),
-               HasOrder(8, 0.3));
+    CHECK_THAT(logarithmic(Composed{leapfrog, yoshida_weights()}, {64, 128, 256}, 1. / 3), HasOrder(4));
+    CHECK_THAT(logarithmic(Composed{leapfrog, kahan_li_weights()}, {16, 20, 24}, 1. / 3), HasOrder(8, 0.3));
 
     TimedPlanet state{planet.start};
     const double h = angular_momentum(planet.start).norm();

@@ -5,6 +5,7 @@
 #include <nutshell/chain_scenes.hpp>
 #include <nutshell/lab/run.hpp>
 #include "check.hpp"
+#include "one_pass.hpp"
 
 // The same source twice more: this file is compiled for every machine, at -O2; the second copy is allowed
 // AVX2. (Everything it includes has been included above, outside the namespaces.)
@@ -88,13 +89,6 @@ constexpr double dt = 0.01;
         return h.numbers();                                                                         \
     }(heap)
 
-auto semi_implicit_step = [](auto state, const auto& forces, double t, double step) {
-    return semi_implicit_euler(std::move(state), forces, t, step);
-};
-auto one_pass_step = [](auto state, const auto& forces, double t, double step) {
-    return one_pass(std::move(state), forces, t, step);
-};
-
 }  // namespace
 
 TEST_CASE("The wide loops give the same bits with and without AVX2, for every length") {
@@ -115,7 +109,7 @@ TEST_CASE("The wide loops give the same bits with and without AVX2, for every le
 TEST_CASE("One pass over memory gives the bits of force, kick, drift: anchored particles") {
     for (const std::size_t n : std::vector<std::size_t>{1, 10, 257, 1000}) {
         const AnchoredParticles scene = anchored_particles(n);
-        CHECK(same_bits(lab::run(scene, one_pass_step, 100), lab::run(scene, semi_implicit_step, 100)));
+        CHECK(same_bits(lab::run(scene, one_pass, 100), lab::run(scene, methods::semi_implicit_euler, 100)));
     }
 }
 
@@ -124,11 +118,11 @@ TEST_CASE("One pass over memory gives the bits of force, kick, drift: chains, wh
         for (const bool free : {false, true}) {
             SpringNet net = chain(n, 0.1, {300, 0.1}, {0, 0, 0}, {0.1 * static_cast<double>(n), 0, 0}, free);
             net.drag = 0.05, net.duration = 0.5;
-            CHECK(same_bits(lab::run(net, one_pass_step, 100), lab::run(net, semi_implicit_step, 100)));
+            CHECK(same_bits(lab::run(net, one_pass, 100), lab::run(net, methods::semi_implicit_euler, 100)));
             net.held = {n / 2};  // one in the middle: the general way
-            CHECK(same_bits(lab::run(net, one_pass_step, 100), lab::run(net, semi_implicit_step, 100)));
+            CHECK(same_bits(lab::run(net, one_pass, 100), lab::run(net, methods::semi_implicit_euler, 100)));
             net.held = {};
-            CHECK(same_bits(lab::run(net, one_pass_step, 100), lab::run(net, semi_implicit_step, 100)));
+            CHECK(same_bits(lab::run(net, one_pass, 100), lab::run(net, methods::semi_implicit_euler, 100)));
         }
     }
 }
@@ -139,6 +133,6 @@ TEST_CASE("One pass over memory gives the bits of force, kick, drift: cloths") {
             SpringNet net = cloth(n, 1, 0.3, 30, weave);
             net.drag = 0.01, net.duration = 0.5;
             net.held = {0, n - 1};
-            CHECK(same_bits(lab::run(net, one_pass_step, 200), lab::run(net, semi_implicit_step, 200)));
+            CHECK(same_bits(lab::run(net, one_pass, 200), lab::run(net, methods::semi_implicit_euler, 200)));
         }
 }

@@ -5,6 +5,7 @@
 #include <nutshell/lab/run.hpp>
 #include <random>
 #include "check.hpp"
+#include "one_pass.hpp"
 
 using namespace nutshell;
 
@@ -66,10 +67,10 @@ TEST_CASE("A chain longer than several blocks, and grids with far springs, agree
 
 TEST_CASE("Numbers of springs: a cloth of n x n has the springs its weave says") {
     const std::size_t n = 6;
-    CHECK(list_of(cloth(n, 1, 1, 1, Weave::structural).springs).joints.size() == 2 * n * (n - 1));
-    CHECK(list_of(cloth(n, 1, 1, 1, Weave::with_shear).springs).joints.size() ==
+    CHECK(list_of(cloth(n, 1, 1, 1, Weave::structural).springs).links.size() == 2 * n * (n - 1));
+    CHECK(list_of(cloth(n, 1, 1, 1, Weave::with_shear).springs).links.size() ==
           2 * n * (n - 1) + 2 * (n - 1) * (n - 1));
-    CHECK(list_of(cloth(n, 1, 1, 1, Weave::with_shear_and_bend).springs).joints.size() ==
+    CHECK(list_of(cloth(n, 1, 1, 1, Weave::with_shear_and_bend).springs).links.size() ==
           2 * n * (n - 1) + 2 * (n - 1) * (n - 1) + 2 * n * (n - 2));
 }
 
@@ -102,7 +103,7 @@ TEST_CASE("The forces are minus the slope of the energy, and their change is min
             CHECK(std::abs(slope + forces[i][axis]) < 1e-6);
             const Vector3 change = (spring_forces(plus)[i] - spring_forces(minus)[i]) / (2 * h);
             Vector3 formula = Vector3::Zero();
-            for (const auto& [a, b, spring] : list_of(net.springs).joints)
+            for (const auto& [a, b, spring] : list_of(net.springs).links)
                 if (a == i || b == i)
                     formula += spring_force_change(spring, net.start.position[i],
                                                    net.start.position[a == i ? b : a], Vector3::Unit(axis));
@@ -132,24 +133,17 @@ TEST_CASE(
     meeting.start.set(1, {1, {4, 0, 0}, {-1, 0, 0}});
     bool met = false;
     const auto look = [&](const Particles& all, double) { met = met || all.position[0] == all.position[1]; };
-    const auto step = [](Particles all, const SpringNet& net, double t, double dt) {
-        return verlet(std::move(all), net, t, dt);
-    };
-    lab::run(meeting, step, 8, look);
+    lab::run(meeting, methods::verlet, 8, look);
     CHECK(met);
     // With a spring that pushes and pulls they meet where symmetry says, and whatever happens nothing is ever
     // NaN.
     meeting.springs.kinds[0].spring = {0.7, 0.0};
-    for (const auto& pass : {0, 1}) {
-        const auto method = [&](Particles all, const SpringNet& net, double t, double dt) {
-            return pass ? one_pass(std::move(all), net, t, dt)
-                        : semi_implicit_euler(std::move(all), net, t, dt);
-        };
+    each(std::tuple{methods::semi_implicit_euler, one_pass}, [&](const auto& method) {
         lab::run(meeting, method, 64, [](const Particles& all, double) {
             REQUIRE(std::isfinite(all.position[0].norm() + all.velocity[1].norm()));
             CHECK(all.position[0] == -all.position[1]);
         });
-    }
+    });
 }
 
 TEST_CASE("Springs that cannot be simulated are refused at the door, with their number") {

@@ -39,11 +39,11 @@ SpringNet in_fastest_mode(SpringNet net, double speed = 1e-7) {
 
 /// What a step multiplies the energy by: the n-th root of what n steps do.
 template <class Method>
-double energy_factor(const SpringNet& net, Method method, double dt, int steps = 20) {
-    const NetFlow flow(net);
-    Vector y = flow.start;
-    for (int n = 0; n < steps; ++n) y = method(y, flow, n * dt, dt);
-    return std::pow(net.energy(unflat(y, net.start)) / net.energy(net.start), 1.0 / steps);
+double energy_factor(const SpringNet& net, const Method& method, double dt, int steps = 20) {
+    auto step = method.start(net);
+    Particles all = net.start;
+    for (int n = 0; n < steps; ++n) all = step(std::move(all), net, n * dt, dt);
+    return std::pow(net.energy(all) / net.energy(net.start), 1.0 / steps);
 }
 
 }  // namespace
@@ -59,11 +59,11 @@ TEST_CASE("Chain: the closed forms are the fastest mode, and every method breaks
             const double fastest = chain_frequency(masses, mass, stiffness, free);
             INFO(masses << " masses, one end free: " << free << ", fastest " << fastest << " rad/s");
             CHECK(std::abs(fastest_mode(net, net.start).frequency / fastest - 1) < 1e-6);
-            check_limit(net, semi_implicit_euler_method, 2 / fastest);
-            check_limit(net, VerletFsal<ForceArrays>{}, 2 / fastest);
-            check_limit(net, yoshida4<ForceArrays>(), theta4 / fastest);
-            check_limit(net, kahan_li8<ForceArrays>(), composed_limit(kahan_li_weights()) / fastest);
-            check_limit(NetFlow(net), rk4_method, std::sqrt(8.0) / fastest);
+            check_limit(net, methods::semi_implicit_euler, 2 / fastest);
+            check_limit(net, methods::verlet, 2 / fastest);
+            check_limit(net, methods::yoshida4, theta4 / fastest);
+            check_limit(net, methods::kahan_li8, composed_limit(kahan_li_weights()) / fastest);
+            check_limit(net, methods::rk4, std::sqrt(8.0) / fastest);
         }
 }
 
@@ -84,9 +84,9 @@ Weakest weakest_of(const std::vector<double>& frequencies, double g, const OnSpr
 /// over mass, here by pulling every particle along x and y in turn.
 std::vector<double> frequencies_of(const SpringNet& net) {
     const std::size_t n = net.start.size();
-    const std::vector<Joint> joints = list_of(net.springs).joints;
+    const std::vector<Link> links = list_of(net.springs).links;
     Eigen::MatrixXd stiffness = Eigen::MatrixXd::Zero(Eigen::Index(2 * n), Eigen::Index(2 * n));
-    for (const auto& [a, b, spring] : joints)
+    for (const auto& [a, b, spring] : links)
         for (Eigen::Index axis = 0; axis < 2; ++axis) {
             const Vector3 change = spring_force_change(spring, net.start.position[a], net.start.position[b],
                                                        Vector3::Unit(axis));
@@ -107,28 +107,27 @@ std::vector<double> frequencies_of(const SpringNet& net) {
 /// A net with drag is as many damped springs as it has modes: a method breaks where the first of them does.
 void check_every_method(const SpringNet& net, const std::vector<double>& frequencies) {
     const double fastest = frequencies.back(), g = net.drag / net.start.mass[0];
-    each_method<ForceArrays, Vector>(
-        [&](const std::string& name, const auto& method, auto as, const OnSpring& theory) {
-            const Weakest first = weakest_of(frequencies, g, theory);
-            INFO(name << " on a " << net.name << ", g " << g << ", fastest " << fastest
-                      << " rad/s, breaks at " << first.omega << " rad/s with dt " << first.limit);
-            const auto stays = [&](double dt, long steps) {
-                return lab::stays_within(as(net), method, dt, steps, 1e-6,
-                                         [](const auto& state) { return fastest_speed(state); });
-            };
-            if (first.limit == 0) {
-                CHECK_FALSE(stays(1 / fastest, 2000));
-            } else if (!std::isfinite(first.limit)) {
-                CHECK(stays(100 / fastest, 20));
-            } else if (const long steps = theory.steps_to_grow(1e9, first.omega, g); steps < 200'000) {
-                CHECK(stays(0.99 * first.limit, steps));
-                CHECK_FALSE(stays(1.01 * first.limit, steps));
-                CHECK(lab::stability_limit([&](double dt) { return stays(dt, steps); }, 0.9 * first.limit,
-                                           1.1 * first.limit, 2e-3) == Approx(first.limit).epsilon(0.01));
-            } else {
-                CHECK(name == "Dormand-Prince 5(4)");  // has a test of its own, below
-            }
-        });
+    each_limit([&](const auto& method, const OnSpring& theory) {
+        const Weakest first = weakest_of(frequencies, g, theory);
+        INFO(method.name << " on a " << net.name << ", g " << g << ", fastest " << fastest
+                         << " rad/s, breaks at " << first.omega << " rad/s with dt " << first.limit);
+        const auto stays = [&](double dt, long steps) {
+            return lab::stays_within(net, method, dt, steps, 1e-6,
+                                     [](const auto& state) { return fastest_speed(state); });
+        };
+        if (first.limit == 0) {
+            CHECK_FALSE(stays(1 / fastest, 2000));
+        } else if (!std::isfinite(first.limit)) {
+            CHECK(stays(100 / fastest, 20));
+        } else if (const long steps = theory.steps_to_grow(1e9, first.omega, g); steps < 200'000) {
+            CHECK(stays(0.99 * first.limit, steps));
+            CHECK_FALSE(stays(1.01 * first.limit, steps));
+            CHECK(lab::stability_limit([&](double dt) { return stays(dt, steps); }, 0.9 * first.limit,
+                                       1.1 * first.limit, 2e-3) == Approx(first.limit).epsilon(0.01));
+        } else {
+            CHECK(method.name == methods::dormand_prince.name);  // has a test of its own, below
+        }
+    });
 }
 
 }  // namespace
@@ -157,9 +156,9 @@ TEST_CASE("Cloth: every method, without and with drag, breaks where the first of
 TEST_CASE(
     "Chain: Dormand-Prince leaves stability so gently that the energy of the fastest mode has to tell") {
     const SpringNet net = in_fastest_mode(chain(6, 0.2, {50, 0.1}, {0, 0, 0}, {0.7, 0, 0}));
-    const double theta = general_limit(Amplification::dormand_prince, 1, 0),
+    const double theta = general_limit(StabilityFunction::dormand_prince, 1, 0),
                  limit = theta / chain_frequency(6, 0.2, 50);
-    const auto stable = [&](double dt) { return energy_factor(net, DormandPrince<Vector>{}, dt, 2000) < 1; };
+    const auto stable = [&](double dt) { return energy_factor(net, methods::dormand_prince, dt, 2000) < 1; };
     CHECK(stable(0.99 * limit));
     CHECK_FALSE(stable(1.01 * limit));
     CHECK(lab::stability_limit(stable, 0.95 * limit, 1.05 * limit, 1e-3) == Approx(limit).epsilon(0.01));
@@ -174,11 +173,11 @@ TEST_CASE("Cloth of 24 x 24: the endless cloth's fastest wave, the fastest mode 
     const double fastest = cloth_frequency(net.springs.kinds, each);
     CHECK(std::abs(2 / fastest / structural - in_structural_steps) < 5e-4);  // the figures as printed
     CHECK(std::abs(fastest_mode(net, net.start).frequency / fastest - 1) < 0.01);
-    check_limit(net, semi_implicit_euler_method, 2 / fastest);
-    check_limit(net, VerletFsal<ForceArrays>{}, 2 / fastest);
-    check_limit(net, yoshida4<ForceArrays>(), composed_limit(yoshida_weights()) / fastest);
-    check_limit(net, kahan_li8<ForceArrays>(), composed_limit(kahan_li_weights()) / fastest);
-    check_limit(NetFlow(net), rk4_method, std::sqrt(8.0) / fastest);
+    check_limit(net, methods::semi_implicit_euler, 2 / fastest);
+    check_limit(net, methods::verlet, 2 / fastest);
+    check_limit(net, methods::yoshida4, composed_limit(yoshida_weights()) / fastest);
+    check_limit(net, methods::kahan_li8, composed_limit(kahan_li_weights()) / fastest);
+    check_limit(net, methods::rk4, std::sqrt(8.0) / fastest);
 }
 
 TEST_CASE(
@@ -187,12 +186,9 @@ TEST_CASE(
     for (const SpringNet& net : {in_fastest_mode(chain(10, 0.2, {50, 0.1}, {0, 0, 0}, {1.1, 0, 0})),
                                  in_fastest_mode(cloth(5, 1, 0.5, 30, Weave::with_shear_and_bend))}) {
         const double dt = theta / fastest_mode(net, net.start).frequency;
-        const auto euler_flow = [](const Vector& y, const NetFlow& flow, double t, double step) {
-            return Vector(y + step * flow(y, t));
-        };
         INFO(net.name << ", theta " << theta);
-        CHECK(std::abs(energy_factor(net, euler_flow, dt) - (1 + theta * theta)) < 1e-5);
-        CHECK(std::abs(energy_factor(net, explicit_midpoint_method, dt) - (1 + std::pow(theta, 4) / 4)) <
+        CHECK(std::abs(energy_factor(net, methods::euler, dt) - (1 + theta * theta)) < 1e-5);
+        CHECK(std::abs(energy_factor(net, methods::explicit_midpoint, dt) - (1 + std::pow(theta, 4) / 4)) <
               1e-5);
     }
 }
@@ -202,9 +198,9 @@ TEST_CASE("Chain and cloth: the implicit methods are stable far beyond every lim
                                  in_fastest_mode(cloth(4, 1, 0.5, 30, Weave::with_shear_and_bend))}) {
         const double theta = 100, dt = theta / fastest_mode(net, net.start).frequency;
         INFO(net.name);
-        CHECK(std::abs(energy_factor(net, implicit_euler_method, dt / 100) - 1 / (1 + 1.0)) < 1e-4);
-        CHECK(energy_factor(net, implicit_euler_method, dt) < 0.5);
-        CHECK(std::abs(energy_factor(net, implicit_midpoint_method, dt) - 1) < 1e-4);
+        CHECK(std::abs(energy_factor(net, methods::implicit_euler, dt / 100) - 1 / (1 + 1.0)) < 1e-4);
+        CHECK(energy_factor(net, methods::implicit_euler, dt) < 0.5);
+        CHECK(std::abs(energy_factor(net, methods::implicit_midpoint, dt) - 1) < 1e-4);
     }
 }
 
@@ -214,7 +210,7 @@ TEST_CASE("A hanging cloth: its own fastest mode, linearised at rest, says where
     for (std::size_t i = 0; i < net.start.size(); ++i)
         net.start.position.z[i] = 0.01 * std::sin(static_cast<double>(i));
     for (const std::size_t i : net.held) net.start.position.z[i] = 0;
-    net.start = lab::run(net, semi_implicit_euler_method,
+    net.start = lab::run(net, methods::semi_implicit_euler,
                          20000);  // flat it would be pushed together; it folds, and comes to rest
     REQUIRE(fastest_speed(net.start) < 1e-9);
     net.drag = 0;
@@ -224,5 +220,5 @@ TEST_CASE("A hanging cloth: its own fastest mode, linearised at rest, says where
             net.start.velocity.set(
                 i, 1e-9 * Vector3(std::sin(k * k), std::sin(1 + 2 * k * k), std::sin(2 + 3 * k * k)));
     }
-    check_limit(net, VerletFsal<ForceArrays>{}, 2 / fastest_mode(net, net.start, 5000).frequency);
+    check_limit(net, methods::verlet, 2 / fastest_mode(net, net.start, 5000).frequency);
 }

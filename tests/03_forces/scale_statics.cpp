@@ -3,6 +3,7 @@
 #include <nutshell/chain_scenes.hpp>
 #include <nutshell/hanging_chain.hpp>
 #include <nutshell/lab/run.hpp>
+#include <nutshell/newton_methods.hpp>
 #include "check.hpp"
 
 using namespace nutshell;
@@ -25,10 +26,9 @@ SpringNet scene_of(const HangingChain& chain, const std::vector<Vector2>& points
 }
 
 double largest_force(const SpringNet& net) {
-    const ForceArrays forces = net(net.start, 0);
+    const Vector3Array forces = net(net.start, 0);
     double largest = 0;
-    for (std::size_t i = 0; i < net.start.size(); ++i)
-        largest = std::max(largest, Vector3(forces.x[i], forces.y[i], forces.z[i]).norm());
+    for (std::size_t i = 0; i < net.start.size(); ++i) largest = std::max(largest, forces[i].norm());
     return largest;
 }
 
@@ -101,10 +101,7 @@ TEST_CASE("A damped chain, let go, comes to its exact rest shape") {
     const std::vector<Vector2> rest = rest_shape(chain);
     SpringNet net = nutshell::chain(chain.masses, chain.mass, chain.link, {0, 0, 0}, {2, 0.5, 0});
     net.drag = 0.4, net.duration = 40;
-    const auto step = [](Particles all, const SpringNet& scene, double t, double dt) {
-        return semi_implicit_euler(std::move(all), scene, t, dt);
-    };
-    const Particles end = lab::run(net, step, 20000);
+    const Particles end = lab::run(net, methods::semi_implicit_euler, 20000);
     for (std::size_t i = 0; i < rest.size(); ++i)
         CHECK((end.position[i] - Vector3(rest[i].x(), rest[i].y(), 0)).norm() < 1e-12);
 }

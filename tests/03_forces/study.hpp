@@ -1,6 +1,5 @@
 // What the tests of chapter 3 share: errors at several steps.
 #pragma once
-#include <nutshell/flow.hpp>
 #include <nutshell/lab/run.hpp>
 #include "check.hpp"
 

@@ -119,7 +119,7 @@ TEST_CASE("Chapter 1's methods move a body unchanged: its centre is a particle, 
     Body body = some_body({1, 1, 0.4});
     Particle centre{body.mass, body.position, body.momentum};
     Body alone = body;
-    VerletFsal<Wrench> fsal;
+    KeptVerlet<Wrench> fsal;
     Body kept = body;
     const double dt = 1. / 60;
     for (int i = 0; i < 120; ++i) {

@@ -95,13 +95,13 @@ struct Planet4 : Problem<4> {
     }
 };
 
-/// Errors are collected in a run of their own, so that looking costs no time in the timed one.
+/// Errors are collected in a run of their own, so that observing costs no time in the timed one.
 template <class Scene>
 struct Errors {
     const Scene& scene;
     double largest = 0, last = 0;
     template <class Y>
-    void look(const Y& y, double t) {
+    void observe(const Y& y, double t) {
         last = scene.error(y, t), largest = std::max(largest, last);
     }
     double result() const { return scene.final_error_only ? last : largest; }
@@ -115,12 +115,12 @@ template <class Work>
     return work([](const auto&, double) {});
 }
 
-/// `work(look)` makes the whole run; timed without looking, measured with it.
+/// `work(observe)` makes the whole run; timed without an observer, measured with it.
 template <class Scene, class Work>
 Point point(const Scene& scene, const std::string& method, const std::string& how, const Work& work) {
     Errors<Scene> errors{scene};
     work([&](const auto& y, double t) {
-        if (t > 0 && (!scene.final_error_only || t > 0.999 * scene.duration)) errors.look(y, t);
+        if (t > 0 && (!scene.final_error_only || t > 0.999 * scene.duration)) errors.observe(y, t);
     });
     const double seconds = lab::time_of([&] { lab::keep(run_once(work)); }, 5, 1e-3);
     return {method, how, seconds, errors.result()};
@@ -128,11 +128,11 @@ Point point(const Scene& scene, const std::string& method, const std::string& ho
 
 // --- odeint
 
-template <class Y, class System, class Stepper, class Look>
-Y odeint_steps(Y y, const System& system, Stepper stepper, long steps, double dt, const Look& look) {
+template <class Y, class System, class Stepper, class Observer>
+Y odeint_steps(Y y, const System& system, Stepper stepper, long steps, double dt, const Observer& observe) {
     for (long i = 0; i < steps; ++i) {
         stepper.do_step(system, y, static_cast<double>(i) * dt, dt);
-        look(y, static_cast<double>(i + 1) * dt);
+        observe(y, static_cast<double>(i + 1) * dt);
     }
     return y;
 }
@@ -141,11 +141,12 @@ template <class Scene, class Stepper>
 void odeint_fixed(std::vector<Point>& points, const Scene& scene, const std::string& name, Stepper,
                   const std::vector<long>& steps) {
     for (const long n : steps)
-        points.push_back(point(scene, "odeint " + name, std::to_string(n) + " steps", [&](const auto& look) {
-            const auto system = [&scene](const auto& at, auto& dy, double) { scene.rate(at, dy); };
-            return odeint_steps(scene.start, system, Stepper(), n, scene.duration / static_cast<double>(n),
-                                look);
-        }));
+        points.push_back(
+            point(scene, "odeint " + name, std::to_string(n) + " steps", [&](const auto& observe) {
+                const auto system = [&scene](const auto& at, auto& dy, double) { scene.rate(at, dy); };
+                return odeint_steps(scene.start, system, Stepper(), n,
+                                    scene.duration / static_cast<double>(n), observe);
+            }));
 }
 
 template <class Stepper, class Scene>
@@ -154,12 +155,12 @@ void odeint_controlled(std::vector<Point>& points, const Scene& scene, const std
     for (const double tolerance : tolerances)
         points.push_back(
             point(scene, "odeint " + name + ", controlled", "tolerance " + lab::rounded(tolerance),
-                  [&](const auto& look) {
+                  [&](const auto& observe) {
                       auto y = scene.start;
                       const auto system = [&](const auto& at, auto& dy, double) { scene.rate(at, dy); };
                       ode::integrate_adaptive(ode::make_controlled<Stepper>(tolerance, tolerance), system, y,
                                               0.0, scene.duration, scene.duration / 1000,
-                                              [&](const auto& at, double t) { look(at, t); });
+                                              [&](const auto& at, double t) { observe(at, t); });
                       return y;
                   }));
 }
@@ -169,19 +170,20 @@ void odeint_nystroem(std::vector<Point>& points, const Scene& scene, const std::
                      const std::vector<long>& steps) {
     using Half = std::array<double, D>;
     for (const long n : steps)
-        points.push_back(point(scene, "odeint " + name, std::to_string(n) + " steps", [&](const auto& look) {
-            Stepper stepper;
-            std::pair<Half, Half> s;
-            std::copy_n(scene.start.begin(), D, s.first.begin()),
-                std::copy_n(scene.start.begin() + D, D, s.second.begin());
-            const double dt = scene.duration / static_cast<double>(n);
-            const auto system = [&](const Half& q, Half& f) { scene.force(q, f); };
-            for (long i = 0; i < n; ++i) {
-                stepper.do_step(system, s, static_cast<double>(i) * dt, dt);
-                look(s.first, static_cast<double>(i + 1) * dt);
-            }
-            return s;
-        }));
+        points.push_back(
+            point(scene, "odeint " + name, std::to_string(n) + " steps", [&](const auto& observe) {
+                Stepper stepper;
+                std::pair<Half, Half> s;
+                std::copy_n(scene.start.begin(), D, s.first.begin()),
+                    std::copy_n(scene.start.begin() + D, D, s.second.begin());
+                const double dt = scene.duration / static_cast<double>(n);
+                const auto system = [&](const Half& q, Half& f) { scene.force(q, f); };
+                for (long i = 0; i < n; ++i) {
+                    stepper.do_step(system, s, static_cast<double>(i) * dt, dt);
+                    observe(s.first, static_cast<double>(i + 1) * dt);
+                }
+                return s;
+            }));
 }
 
 template <std::size_t N, class Scene>
@@ -197,61 +199,60 @@ void odeint_all(std::vector<Point>& points, const Scene& scene, const std::vecto
 
 // --- ours
 
-template <class Y, class Flow, class Method, class Look>
-Y run_steps(Y y, const Flow& flow, Method method, long steps, double dt, const Look& look) {
-    for (long i = 0; i < steps; ++i) {
-        y = method(y, flow, static_cast<double>(i) * dt, dt);
-        look(y, static_cast<double>(i + 1) * dt);
+/// A problem as a scene of ours: its state is flat, and its push is y'.
+template <class Problem, int N>
+struct FlatScene {
+    using Y = Eigen::Matrix<double, N, 1>;
+    const Problem& problem;
+    Y start = Eigen::Map<const Y>(problem.start.data());
+    Y operator()(const Y& at, double) const {
+        Y dy;
+        problem.rate(at, dy);
+        return dy;
     }
-    return y;
-}
+};
 
 template <class Scene, class Method>
-void our_flow(std::vector<Point>& points, const Scene& scene, const std::string& name, const Method& method,
-              const std::vector<long>& steps) {
+void our_general(std::vector<Point>& points, const Scene& scene, const Method& method,
+                 const std::vector<long>& steps) {
     constexpr int N = static_cast<int>(std::tuple_size_v<decltype(scene.start)>);
-    using Y = Eigen::Matrix<double, N, 1>;
+    const FlatScene<Scene, N> flat_scene{scene};
     for (const long n : steps)
-        points.push_back(point(scene, name, std::to_string(n) + " steps", [&](const auto& look) {
-            const auto flow = [&scene](const Y& at, double) {
-                Y dy;
-                scene.rate(at, dy);
-                return dy;
-            };
-            return run_steps(Y(Eigen::Map<const Y>(scene.start.data())), flow, method, n,
-                             scene.duration / static_cast<double>(n), look);
+        points.push_back(point(scene, method.name, std::to_string(n) + " steps", [&](const auto& observe) {
+            const double dt = scene.duration / static_cast<double>(n);
+            auto step = method.start(flat_scene);
+            auto y = flat_scene.start;
+            for (long i = 0; i < n; ++i) {
+                y = step(y, flat_scene, static_cast<double>(i) * dt, dt);
+                observe(y, static_cast<double>(i + 1) * dt);
+            }
+            return y;
         }));
 }
 
 template <class Scene>
 void our_controlled(std::vector<Point>& points, const Scene& scene) {
     constexpr int N = static_cast<int>(std::tuple_size_v<decltype(scene.start)>);
-    using Y = Eigen::Matrix<double, N, 1>;
+    const FlatScene<Scene, N> flat_scene{scene};
     for (const double tolerance : {scene.final_error_only ? 1e-5 : 1e-2, 1e-4, 1e-6, 1e-8, 1e-10,
                                    1e-12})  // a coarse one loses the planet
-        points.push_back(point(scene, "Dormand-Prince 5(4), controlled",
-                               "tolerance " + lab::rounded(tolerance), [&](const auto& look) {
-                                   const auto flow = [&](const Y& at, double) {
-                                       Y dy;
-                                       scene.rate(at, dy);
-                                       return dy;
-                                   };
-                                   return adaptive(Y(Eigen::Map<const Y>(scene.start.data())), flow, 0,
-                                                   scene.duration, {tolerance, tolerance},
-                                                   scene.duration / 1000, look);
+        points.push_back(point(scene, std::string(methods::dormand_prince.name) + ", controlled",
+                               "tolerance " + lab::rounded(tolerance), [&](const auto& observe) {
+                                   return adaptive(flat_scene.start, flat_scene, 0, scene.duration,
+                                                   {tolerance, tolerance}, scene.duration / 1000, observe);
                                }));
 }
 
 void our_spring(std::vector<Point>& points, const Spring2& scene, const std::vector<long>& steps) {
     for (const long n : steps)
-        points.push_back(
-            point(scene, "exact propagator", std::to_string(n) + " steps", [&](const auto& look) {
+        points.push_back(point(
+            scene, methods::exact_propagator.name, std::to_string(n) + " steps", [&](const auto& observe) {
                 const double dt = scene.duration / static_cast<double>(n);
                 const Eigen::Matrix2d step = oscillation(scene.scene.omega(), scene.scene.damping_rate(), dt);
                 Eigen::Vector2d y(1, 0);
                 for (long i = 0; i < n; ++i) {
                     y = step * y;
-                    look(y, static_cast<double>(i + 1) * dt);
+                    observe(y, static_cast<double>(i + 1) * dt);
                 }
                 return y;
             }));
@@ -259,28 +260,29 @@ void our_spring(std::vector<Point>& points, const Spring2& scene, const std::vec
 
 void our_fall(std::vector<Point>& points, const Fall2& scene, const std::vector<long>& steps) {
     for (const long n : steps)
-        points.push_back(
-            point(scene, "exponential kick", std::to_string(n) + " steps", [&](const auto& look) {
+        points.push_back(point(
+            scene, methods::exponential_kick.name, std::to_string(n) + " steps", [&](const auto& observe) {
                 PointMass s = scene.scene.start;
                 const double dt = scene.duration / static_cast<double>(n);
                 for (long i = 0; i < n; ++i) {
                     s = exponential_kick(s, scene.scene, 0, dt);
-                    look(std::array{s.position.y(), s.velocity.y()}, static_cast<double>(i + 1) * dt);
+                    observe(std::array{s.position.y(), s.velocity.y()}, static_cast<double>(i + 1) * dt);
                 }
                 return s;
             }));
 }
 
 template <class Method>
-void our_clock(std::vector<Point>& points, const Planet4& scene, const std::string& name,
-               const Method& method, const std::vector<long>& steps_an_orbit) {
+void our_clock(std::vector<Point>& points, const Planet4& scene, const Method& method,
+               const std::vector<long>& steps_an_orbit) {
     for (const long n : steps_an_orbit)
-        points.push_back(point(scene, name, std::to_string(n) + " steps an orbit", [&](const auto& look) {
-            const TimedPlanet end =
-                run_until({scene.scene.start}, method, scene.duration, 2 * pi / static_cast<double>(n));
-            look(std::array{end.body.position.x(), end.body.position.y()}, scene.duration);
-            return end;
-        }));
+        points.push_back(
+            point(scene, method.name, std::to_string(n) + " steps an orbit", [&](const auto& observe) {
+                const TimedPlanet end = run_until({scene.scene.start}, method.start(scene.scene),
+                                                  scene.duration, 2 * pi / static_cast<double>(n));
+                observe(std::array{end.body.position.x(), end.body.position.y()}, scene.duration);
+                return end;
+            }));
 }
 
 // --- the comparison
@@ -379,7 +381,7 @@ int main(int argc, char** argv) try {
         const Spring2 scene(ratio);
         std::vector<Point> all;
         our_spring(all, scene, {1, 10, 100, 1000});
-        our_flow(all, scene, "RK4", rk4_method, {40, 80, 160, 320, 640, 1280, 2560});
+        our_general(all, scene, methods::rk4, {40, 80, 160, 320, 640, 1280, 2560});
         our_controlled(all, scene);
         odeint_all<2>(all, scene, {40, 80, 160, 320, 640, 1280, 2560});
         if (ratio == 0) {
@@ -390,7 +392,7 @@ int main(int argc, char** argv) try {
                                {40, 80, 160, 320, 640, 1280});
         }
         ahead &= compare(scene, all, folder, command, data);
-        const double rk4 = like_for_like(all, "RK4", "odeint rk4", "1280 steps");
+        const double rk4 = like_for_like(all, methods::rk4.name, "odeint rk4", "1280 steps");
         std::cout << "    the same RK4, ours over theirs: " << rk4 << " of the time\n";
         ahead &= rk4 < margin;
     }
@@ -398,7 +400,7 @@ int main(int argc, char** argv) try {
         const Fall2 scene;
         std::vector<Point> all;
         our_fall(all, scene, {1, 10, 100});
-        our_flow(all, scene, "RK4", rk4_method, few);
+        our_general(all, scene, methods::rk4, few);
         our_controlled(all, scene);
         odeint_all<2>(all, scene, few);
         ahead &= compare(scene, all, folder, command, data);
@@ -406,12 +408,10 @@ int main(int argc, char** argv) try {
     {
         const Planet4 scene;
         std::vector<Point> all;
-        const LogHamiltonian leapfrog(1, scene.scene.start);
-        our_clock(all, scene, "logarithmic leapfrog", leapfrog, {20, 50, 100, 200, 500, 1000});
-        our_clock(all, scene, "logarithmic leapfrog, order 8",
-                  Composed<LogHamiltonian, 15>{leapfrog, kahan_li_weights()},
+        our_clock(all, scene, methods::logarithmic_leapfrog, {20, 50, 100, 200, 500, 1000});
+        our_clock(all, scene, methods::logarithmic_leapfrog8,
                   {4, 5, 6, 8, 10, 12, 16, 20, 24, 32, 40, 50, 64, 80, 100, 128, 160, 200});
-        our_flow(all, scene, "RK4", rk4_method, {20000, 50000, 100000, 200000});
+        our_general(all, scene, methods::rk4, {20000, 50000, 100000, 200000});
         our_controlled(all, scene);
         odeint_all<4>(all, scene, {20000, 50000, 100000, 200000});
         using Half = std::array<double, 2>;
@@ -420,7 +420,7 @@ int main(int argc, char** argv) try {
         odeint_nystroem<2>(all, scene, "sb3a_m4", ode::symplectic_rkn_sb3a_m4_mclachlan<Half>(),
                            {10000, 20000, 50000, 100000});
         ahead &= compare(scene, all, folder, command, data);
-        const double rk4 = like_for_like(all, "RK4", "odeint rk4", "100000 steps");
+        const double rk4 = like_for_like(all, methods::rk4.name, "odeint rk4", "100000 steps");
         std::cout << "    the same RK4, ours over theirs: " << rk4 << " of the time\n";
         ahead &= rk4 < margin;
     }

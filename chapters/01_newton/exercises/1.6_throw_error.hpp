@@ -16,12 +16,12 @@ struct ThrowError {
         for (const double duration : {1.5, 4.0}) {
             const Vector3 term = acceleration * duration * dt;
             paper.input("acceleration", acceleration, "duration", duration, "dt", dt);
-            const Vector3 euler = answer(Method::euler, acceleration, duration, dt);
+            const Vector3 euler = answer(Kicked::after_drift, acceleration, duration, dt);
             paper.output("Euler's error [m]", euler, term);
             const Vector3 semi_implicit =
-                answer(Method::semi_implicit_euler, acceleration, duration, dt);
+                answer(Kicked::before_drift, acceleration, duration, dt);
             paper.output("semi-implicit Euler's error [m]", semi_implicit, term);
-            const Vector3 verlet = answer(Method::verlet, acceleration, duration, dt);
+            const Vector3 verlet = answer(Kicked::half_and_half, acceleration, duration, dt);
             paper.output("Verlet's error [m]", verlet, term);
         }
     }
@@ -43,38 +43,38 @@ struct ThrowError {
                   "You return zero, as the source's remark suggests: Euler is good if the force "
                   "hardly changes in a step. Here it does not change at all, and Euler is still "
                   "wrong: the velocity changes during the step, and the drift does not see it.",
-                  [](Method, const Vector3&, double, double) -> Vector3 {
+                  [](Kicked, const Vector3&, double, double) -> Vector3 {
                       return Vector3::Zero();
                   }},
                  {"the error of one step only", "classic: local for global error",
                   "Halving dt halves the error, where you promised a quarter.",
                   "a dt^2/2 is what one step adds. There are T/dt of them, and their errors add "
                   "up, so one power of dt is gone at the end.",
-                  [](Method method, const Vector3& acceleration, double, double dt) -> Vector3 {
+                  [](Kicked kicked, const Vector3& acceleration, double, double dt) -> Vector3 {
                       const Vector3 error = acceleration * dt * dt / 2;
-                      return method == Method::euler                 ? Vector3(-error)
-                             : method == Method::semi_implicit_euler ? error
-                                                                     : Vector3::Zero();
+                      return kicked == Kicked::after_drift    ? Vector3(-error)
+                             : kicked == Kicked::before_drift ? error
+                                                              : Vector3::Zero();
                   }},
                  {"the signs exchanged", "classic",
                   "You aim lower to correct, and miss by twice as much.",
                   "The size is right, the sign is not. The error is computed less exact; Euler "
                   "lags behind the acceleration, so with gravity pointing down its ball is too "
                   "high.",
-                  [](Method method, const Vector3& acceleration, double duration, double dt)
-                      -> Vector3 { return -throw_error(method, acceleration, duration, dt); }},
+                  [](Kicked kicked, const Vector3& acceleration, double duration, double dt)
+                      -> Vector3 { return -throw_error(kicked, acceleration, duration, dt); }},
                  {"a factor of two", "classic", "The promised error is twice the one seen.",
                   "You have a dt^2 for a step. The velocity grows evenly from start to end of a "
                   "step, so on the average it is off by half of a dt.",
-                  [](Method method, const Vector3& acceleration, double duration, double dt)
-                      -> Vector3 { return 2 * throw_error(method, acceleration, duration, dt); }},
+                  [](Kicked kicked, const Vector3& acceleration, double duration, double dt)
+                      -> Vector3 { return 2 * throw_error(kicked, acceleration, duration, dt); }},
                  {"the same error for both", "classic",
                   "The correction for one method doubles the error of the other.",
                   "Euler drifts with the velocity of the step's start, semi-implicit Euler with "
                   "that of its end: one comes too short, the other too far.",
-                  [](Method method, const Vector3& acceleration, double duration,
+                  [](Kicked kicked, const Vector3& acceleration, double duration,
                      double dt) -> Vector3 {
-                      return method == Method::verlet
+                      return kicked == Kicked::half_and_half
                                  ? Vector3::Zero()
                                  : Vector3(-acceleration * duration * dt / 2);
                   }},
@@ -82,26 +82,26 @@ struct ThrowError {
                   "A long throw misses by more than you promised.",
                   "The error does not grow with the duration in your formula. Each step adds its "
                   "part, so twice the steps have twice the error.",
-                  [](Method method, const Vector3& acceleration, double duration,
+                  [](Kicked kicked, const Vector3& acceleration, double duration,
                      double dt) -> Vector3 {
-                      return throw_error(method, acceleration, duration, dt) / duration;
+                      return throw_error(kicked, acceleration, duration, dt) / duration;
                   }},
                  {"an error for Verlet", "classic: order taken for error",
                   "You make the step smaller than it need be.",
                   "Verlet is of second order, but that is a bound for any force. With constant "
                   "acceleration it drifts with the exact mean velocity and has no error.",
-                  [](Method method, const Vector3& acceleration, double duration,
+                  [](Kicked kicked, const Vector3& acceleration, double duration,
                      double dt) -> Vector3 {
-                      if (method == Method::verlet) return acceleration * duration * dt * dt / 2;
-                      return throw_error(method, acceleration, duration, dt);
+                      if (kicked == Kicked::half_and_half)
+                          return acceleration * duration * dt * dt / 2;
+                      return throw_error(kicked, acceleration, duration, dt);
                   }}},
             .alternatives = {{"steps times the error of one",
-                              [](Method method, const Vector3& acceleration, double duration,
+                              [](Kicked kicked, const Vector3& acceleration, double duration,
                                  double dt) -> Vector3 {
-                                  const double part = method == Method::euler ? -0.5
-                                                      : method == Method::semi_implicit_euler
-                                                          ? 0.5
-                                                          : 0.0;
+                                  const double part = kicked == Kicked::after_drift    ? -0.5
+                                                      : kicked == Kicked::before_drift ? 0.5
+                                                                                       : 0.0;
                                   const double steps = duration / dt;
                                   return part * steps * (dt * dt * acceleration);
                               }}},

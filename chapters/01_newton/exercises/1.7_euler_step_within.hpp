@@ -114,7 +114,7 @@ struct EulerStepWithin {
                               [](double tolerance, const Vector3& acceleration,
                                  double duration) -> double {
                                   int steps = 1;
-                                  while (throw_error(Method::euler, acceleration, duration,
+                                  while (throw_error(Kicked::after_drift, acceleration, duration,
                                                      duration / steps)
                                              .norm() > tolerance)
                                       ++steps;

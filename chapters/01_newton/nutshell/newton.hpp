@@ -1,5 +1,6 @@
 // Chapter 1 · Newton: state, drift, kick, and three ways to say them.
 #pragma once
+#include <nutshell/method.hpp>
 #include <nutshell/require.hpp>
 #include <nutshell/vector.hpp>
 #include <optional>
@@ -114,40 +115,42 @@ State verlet(State state, const Forces& forces, double t, double dt) {
 }
 // [/verlet]
 
-// [verlet_fsal]
+// [kept_verlet]
 /// Verlet for many steps in a row: the push at the end of one step is that at the start of
 /// the next ("first same as last"). It is kept, so a step costs one evaluation instead of two.
-/// The same numbers as `verlet`, bit for bit, as long as the push depends on position and time
-/// only. One object per run: it remembers.
+/// The same numbers as `verlet`, bit for bit, as long as the push depends on the position only.
+/// One object per run: it remembers.
 /// @tparam Push  what forces(state, t) gives
 template <class Push>
-struct VerletFsal {
+struct KeptVerlet {
     std::optional<Push> kept = {};
 
     template <class State, class Forces>
     State operator()(State state, const Forces& forces, double t, double dt) {
-        kick(state, kept ? *kept : forces(state, t), dt / 2);
+        if (!kept) kept = forces(state, t);
+        kick(state, *kept, dt / 2);
         drift(state, dt);
-        kept = forces(state, t + dt);
+        evaluate(forces, state, t + dt, *kept);  // *kept = forces(state, t + dt)
         kick(state, *kept, dt / 2);
         return state;
     }
 };
-// [/verlet_fsal]
+// [/kept_verlet]
 
 // [laws]
-/// What the three methods do to a body under constant acceleration.
-enum class Method { euler, semi_implicit_euler, verlet };
+/// When a step kicks, which is where the three methods differ: after the drift (Euler), before it
+/// (semi-implicit Euler), or half before and half after (Verlet).
+enum class Kicked { after_drift, before_drift, half_and_half };
 
 /// Computed minus exact position [m] after `duration` seconds of constant acceleration
 /// [m/s^2] in steps of dt [s]: -a T dt/2 for Euler, +a T dt/2 for semi-implicit Euler, zero
 /// for Verlet. Exact, not an estimate. Eq. (1.a).
-inline Vector3 throw_error(Method method, const Vector3& acceleration, double duration,
+inline Vector3 throw_error(Kicked kicked, const Vector3& acceleration, double duration,
                            double dt) {
     // exercise 1.6
     const Vector3 half_step_lag = acceleration * duration * dt / 2;
-    if (method == Method::euler) return -half_step_lag;
-    if (method == Method::semi_implicit_euler) return half_step_lag;
+    if (kicked == Kicked::after_drift) return -half_step_lag;
+    if (kicked == Kicked::before_drift) return half_step_lag;
     return Vector3::Zero();
     // end 1.6
 }

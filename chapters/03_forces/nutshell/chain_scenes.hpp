@@ -19,18 +19,19 @@ struct AnchoredParticles {
     double drag = 0.5;         ///< gamma [kg/s]
     double g = earth_gravity;  ///< [m/s^2], downwards
     double duration = 2;       ///< [s]
-    /// Room for the sum of forces; so two threads must not step one scene at once.
-    mutable Vector3Array forces{};
 
-    ForceArrays operator()(const Particles& all, double) const { return with(all, drag); }
-    /// The forces if the drag were `other_drag` [kg/s].
-    ForceArrays with(const Particles& all, double other_drag) const {
+    /// The forces, summed into arrays of the caller's.
+    void operator()(const Particles& all, double, Vector3Array& forces) const {
         forces.resize(all.size());
         wide::weight_and_drag(all.size(), forces.axes(), all.velocity.axes(), all.mass.data(),
-                              {0, -g, 0, other_drag});
+                              {0, -g, 0, drag});
         wide::anchored_springs(all.size(), forces.axes(), all.position.axes(), anchors.axes(),
                                stiffness);
-        return std::as_const(forces).axes();
+    }
+    Vector3Array operator()(const Particles& all, double t) const {
+        Vector3Array forces;
+        (*this)(all, t, forces);
+        return forces;
     }
 };
 
@@ -61,19 +62,20 @@ struct SpringNet {
     double drag = 0;                ///< gamma [kg/s]
     double g = earth_gravity;       ///< [m/s^2], downwards
     double duration = 10;           ///< [s]
-    /// Room for the sum of forces; so two threads must not step one scene at once.
-    mutable Vector3Array forces{};
 
-    ForceArrays operator()(const Particles& all, double) const { return with(all, drag); }
-    /// The forces if the drag were `other_drag` [kg/s].
-    ForceArrays with(const Particles& all, double other_drag) const {
+    /// The forces, summed into arrays of the caller's.
+    void operator()(const Particles& all, double, Vector3Array& forces) const {
         forces.resize(all.size());
         wide::weight_and_drag(all.size(), forces.axes(), all.velocity.axes(), all.mass.data(),
-                              {0, -g, 0, other_drag});
+                              {0, -g, 0, drag});
         add_forces(springs, all, forces);
         for (const std::size_t i : held)
             forces.set(i, Vector3::Zero());  // the hand that holds it balances every force
-        return std::as_const(forces).axes();
+    }
+    Vector3Array operator()(const Particles& all, double t) const {
+        Vector3Array forces;
+        (*this)(all, t, forces);
+        return forces;
     }
     /// Of motion, height and springs [J].
     double energy(const Particles& all) const {
@@ -84,30 +86,6 @@ struct SpringNet {
     }
 };
 // [/spring_net]
-
-/// The forces without the drag, for the exponential methods.
-inline ForceArrays force_at_rest(const Particles& all, const AnchoredParticles& scene, double) {
-    return scene.with(all, 0);
-}
-inline ForceArrays force_at_rest(const Particles& all, const SpringNet& net, double) {
-    return net.with(all, 0);
-}
-
-/// The exponential kick of every particle under the force it feels at the start of the step.
-template <class Scene>
-Particles exponential_kick(Particles all, const Scene& scene, double t, double dt) {
-    struct Constant {
-        Vector3 force;  // [N], without the drag
-        double drag;    // [kg/s]
-        Vector3 operator()(const PointMass&, double) const { return force; }
-    };
-    const ForceArrays push = force_at_rest(all, scene, t);
-    for (std::size_t i = 0; i < all.size(); ++i) {
-        const Constant on_i{{push.x[i], push.y[i], push.z[i]}, scene.drag};
-        all.set(i, exponential_kick(all[i], on_i, t, dt));
-    }
-    return all;
-}
 
 /// Gives the scene back if it can be simulated. @throws std::invalid_argument if its particles or
 /// springs cannot, if drag is negative, or a held particle moves, does not exist or is out of
@@ -197,8 +175,8 @@ inline SpringNet cloth(std::size_t n, double side, double mass, double stiffness
 
 // [one_pass]
 /// One step of semi-implicit Euler for anchored particles, in place and in one pass over memory:
-/// the same verbs, the same numbers bit for bit.
-inline void advance(Particles& all, const AnchoredParticles& scene, double dt) {
+/// the same verbs, the same numbers bit for bit. It sums no forces in arrays.
+inline void advance(Particles& all, const AnchoredParticles& scene, Vector3Array&, double dt) {
     wide::anchored_step(all.size(), all.position.axes(), all.velocity.axes(), all.mass.data(),
                         scene.anchors.axes(), scene.stiffness, {0, -scene.g, 0, scene.drag}, dt);
 }
@@ -206,7 +184,7 @@ inline void advance(Particles& all, const AnchoredParticles& scene, double dt) {
 /// The same for a grid of springs: once all springs that start in a row have been added, no later
 /// spring touches this row, so it may be kicked and may drift while it is still in the nearest
 /// cache. A chain goes block by block in the same way.
-inline void advance(Particles& all, const SpringNet& net, double dt) {
+inline void advance(Particles& all, const SpringNet& net, Vector3Array& sums, double dt) {
     const auto& [rows, columns, kinds] = net.springs;
     const wide::Medium medium{0, -net.g, 0, net.drag};
     const wide::Axes position = all.position.axes(), velocity = all.velocity.axes();
@@ -219,8 +197,8 @@ inline void advance(Particles& all, const SpringNet& net, double dt) {
                          link.stiffness, medium, first_held, last_held, dt);
         return;
     }
-    net.forces.resize(all.size());
-    const wide::Axes forces = net.forces.axes();
+    sums.resize(all.size());
+    const wide::Axes forces = sums.axes();
     std::size_t reach = 0;  // how many rows down the springs reach
     for (const GridSpring& kind : kinds) reach = std::max(reach, kind.down);
     std::size_t begun = 0;  // rows whose sum of forces has begun
@@ -234,18 +212,11 @@ inline void advance(Particles& all, const SpringNet& net, double dt) {
         add_row_forces(net.springs, r, position, forces);
         const std::size_t i = r * columns;
         for (; hold != net.held.end() && *hold < i + columns; ++hold)
-            net.forces.set(*hold, Vector3::Zero());
+            sums.set(*hold, Vector3::Zero());
         wide::kick(columns, velocity.from(i), forces.from(i), all.mass.data() + i, dt);
         wide::drift(columns, position.from(i), velocity.from(i), dt);
     }
 }
 // [/one_pass]
-
-/// The same as a method of the lab.
-template <class Scene>
-Particles one_pass(Particles all, const Scene& scene, double, double dt) {
-    advance(all, scene, dt);
-    return all;
-}
 
 }  // namespace nutshell

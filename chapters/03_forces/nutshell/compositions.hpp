@@ -11,22 +11,24 @@
 namespace nutshell {
 
 // [composed]
-/// One step made of `Count` steps of `method`, of lengths weights[i] * dt. The weights add up
-/// to 1.
-template <class Method, std::size_t Count>
+/// One step made of `Count` steps of another stepper, of lengths weights[i] * dt. The weights add
+/// up to 1.
+template <class Part, std::size_t Count>
 struct Composed {
-    Method method;
+    Part part;
     std::array<double, Count> weights;
 
     template <class State, class Forces>
     State operator()(State state, const Forces& forces, double t, double dt) {
         for (const double weight : weights) {
-            state = method(std::move(state), forces, t, weight * dt);
+            state = part(std::move(state), forces, t, weight * dt);
             t += weight * dt;
         }
         return state;
     }
 };
+template <class Part, std::size_t Count>
+Composed(Part, std::array<double, Count>) -> Composed<Part, Count>;
 // [/composed]
 
 // [yoshida_weights]
@@ -52,27 +54,12 @@ inline std::array<double, 15> kahan_li_weights() {
 }
 // [/kahan_li_weights]
 
-/// Verlet, made an object so that it can be composed; evaluates its force twice a step.
-struct Verlet {
-    template <class State, class Forces>
-    State operator()(State state, const Forces& forces, double t, double dt) const {
-        return verlet(std::move(state), forces, t, dt);
-    }
-};
-
-/// Yoshida's fourth-order method: three force evaluations a step, for forces of position and
-/// time.
-/// @tparam Push  what forces(state, t) gives
-template <class Push = Vector3>
-Composed<VerletFsal<Push>, 3> yoshida4() {
-    return {{}, yoshida_weights()};
-}
-
-/// Kahan and Li's eighth-order method: fifteen force evaluations a step, for forces of position
-/// and time.
-template <class Push = Vector3>
-Composed<VerletFsal<Push>, 15> kahan_li8() {
-    return {{}, kahan_li_weights()};
+/// How a run of a composed method starts. @param weights  a function that gives them
+template <class Start, std::size_t Count>
+constexpr auto composed(const Method<Start>& part, std::array<double, Count> (*weights)()) {
+    return [start = part.start, weights](const auto& scene) {
+        return Composed{start(scene), weights()};
+    };
 }
 
 }  // namespace nutshell

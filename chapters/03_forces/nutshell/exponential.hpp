@@ -4,15 +4,43 @@
 // The forces given to these methods have a member `drag` (gamma [kg/s]) for the linear drag
 // they contain.
 #pragma once
-#include <nutshell/newton.hpp>
+#include <nutshell/revised_newton.hpp>
 
 namespace nutshell {
+
+// [drag_verbs]
+/// Stop: the body is where it was, at rest.
+inline void stop(PointMass& body) {
+    body.velocity.setZero();
+}
+
+/// Decay: linear drag alone, gamma = `drag` [kg/s], acts on the body for dt seconds, exactly.
+inline void decay(PointMass& body, double drag, double dt) {
+    body.velocity *= std::exp(-drag * dt / body.mass);
+}
+
+/// The same by implicit Euler: by 1/(1 + gamma dt/m). Needs no exponential; first order.
+inline void implicit_decay(PointMass& body, double drag, double dt) {
+    body.velocity *= 1 / (1 + drag * dt / body.mass);
+}
 
 /// The force without its linear drag: what the body would feel here at rest.
 template <class State, class Forces>
 auto force_at_rest(State state, const Forces& forces, double t) {
-    state.velocity.setZero();
+    stop(state);
     return forces(state, t);
+}
+// [/drag_verbs]
+
+// The same verbs for chapter 2's particle: drag takes from the momentum.
+inline void stop(Particle& body) {
+    body.momentum.setZero();
+}
+inline void decay(Particle& body, double drag, double dt) {
+    body.momentum *= std::exp(-drag * dt / body.mass);
+}
+inline void implicit_decay(Particle& body, double drag, double dt) {
+    body.momentum *= 1 / (1 + drag * dt / body.mass);
 }
 
 /// (1 - e^-x)/x, which is the mean of a decay over its interval; 1 at x = 0.
@@ -27,6 +55,13 @@ inline double second_mean_decay(double x) {
     for (int n = 3; std::abs(term) > 1e-17; ++n) sum += term *= -x / n;
     return sum;
 }
+
+/// A constant force [N] beside a linear drag.
+struct UnderForce {
+    Vector3 force;
+    double drag;  ///< gamma [kg/s]
+    Vector3 operator()(const PointMass&, double) const { return force; }
+};
 
 // [exponential_kick]
 /// One step under a constant force and linear drag, exact at any step: the velocity falls
@@ -46,18 +81,14 @@ State exponential_kick(State state, const Forces& forces, double t, double dt) {
 }
 // [/exponential_kick]
 
-// [decay]
-/// What drag alone, gamma = `drag` [kg/s], leaves of a velocity after dt [s]: the factor
-/// e^(-gamma dt/m), exact.
-inline double decay_of(const PointMass& body, double drag, double dt) {
-    return std::exp(-drag * dt / body.mass);
+/// The same for a particle, which is a point mass that keeps its momentum.
+template <class Forces>
+Particle exponential_kick(Particle body, const Forces& forces, double t, double dt) {
+    const UnderForce without_drag{force_at_rest(body, forces, t), forces.drag};
+    const PointMass moved = exponential_kick(PointMass{body.mass, body.position, velocity(body)},
+                                             without_drag, t, dt);
+    return in_momentum(moved);
 }
-
-/// The same by implicit Euler: 1/(1 + gamma dt/m). Needs no exponential; first order.
-inline double implicit_decay_of(const PointMass& body, double drag, double dt) {
-    return 1 / (1 + drag * dt / body.mass);
-}
-// [/decay]
 
 // [exponential_verlet]
 /// One step of Verlet with linear drag: half the drag, a Verlet step of the other forces, half
@@ -66,12 +97,11 @@ inline double implicit_decay_of(const PointMass& body, double drag, double dt) {
 template <class State, class Forces>
 State exponential_verlet(State state, const Forces& forces, double t, double dt) {
     // exercise 3.6
-    const auto half_decay = decay_of(state, forces.drag, dt / 2);
-    state.velocity *= half_decay;
+    decay(state, forces.drag, dt / 2);
     kick(state, force_at_rest(state, forces, t), dt / 2);
     drift(state, dt);
     kick(state, force_at_rest(state, forces, t + dt), dt / 2);
-    state.velocity *= half_decay;
+    decay(state, forces.drag, dt / 2);
     return state;
     // end 3.6
 }
@@ -81,20 +111,30 @@ State exponential_verlet(State state, const Forces& forces, double t, double dt)
 /// The same with the half-drags next to the drift: stable while (omega dt)^2 < 2 (1 +
 /// E)/sqrt(E), E = e^(-gamma dt/m). Keeps the force of its end for the next step ("first same
 /// as last"): one evaluation a step. One object per run.
-template <class Push = Vector3>
-struct ExponentialVerlet {
+template <class State, class Push>
+struct ExponentialVerletInside {
     std::optional<Push> kept = {};
+    State still = State();
 
-    template <class State, class Forces>
+    template <class Forces>
     State operator()(State state, const Forces& forces, double t, double dt) {
-        const auto half_decay = decay_of(state, forces.drag, dt / 2);
-        kick(state, kept ? *kept : force_at_rest(state, forces, t), dt / 2);
-        state.velocity *= half_decay;
+        if (!kept) evaluate_at_rest(state, forces, t);
+        kick(state, *kept, dt / 2);
+        decay(state, forces.drag, dt / 2);
         drift(state, dt);
-        state.velocity *= half_decay;
-        kept = force_at_rest(state, forces, t + dt);
+        decay(state, forces.drag, dt / 2);
+        evaluate_at_rest(state, forces, t + dt);
         kick(state, *kept, dt / 2);
         return state;
+    }
+
+    /// kept = force_at_rest(state, forces, t), in the room that is here already.
+    template <class Forces>
+    void evaluate_at_rest(const State& state, const Forces& forces, double t) {
+        if (!kept) kept.emplace();
+        still = state;
+        stop(still);
+        evaluate(forces, std::as_const(still), t, *kept);
     }
 };
 // [/exponential_verlet_inside]
@@ -104,7 +144,7 @@ struct ExponentialVerlet {
 /// damped spring stable while omega dt < sqrt(2 (1 + e^(-gamma dt/m))).
 template <class State, class Forces>
 State semi_implicit_exponential(State state, const Forces& forces, double t, double dt) {
-    state.velocity *= decay_of(state, forces.drag, dt);
+    decay(state, forces.drag, dt);
     kick(state, force_at_rest(state, forces, t), dt);
     drift(state, dt);
     return state;
@@ -116,7 +156,7 @@ State semi_implicit_exponential(State state, const Forces& forces, double t, dou
 template <class State, class Forces>
 State semi_implicit_division(State state, const Forces& forces, double t, double dt) {
     kick(state, force_at_rest(state, forces, t), dt);
-    state.velocity *= implicit_decay_of(state, forces.drag, dt);
+    implicit_decay(state, forces.drag, dt);
     drift(state, dt);
     return state;
 }

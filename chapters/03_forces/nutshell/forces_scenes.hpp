@@ -3,9 +3,9 @@
 // force; the exponential methods treat it exactly.
 #pragma once
 #include <nutshell/exponential.hpp>
-#include <nutshell/flow.hpp>
 #include <nutshell/forces.hpp>
 #include <nutshell/newton_scenes.hpp>
+#include <nutshell/right_hand_side.hpp>
 #include <nutshell/runge_kutta.hpp>
 
 namespace nutshell {
@@ -114,8 +114,8 @@ struct ThrowInAir {
     PointMass exact(double t) const {
         if (t == 0) return start;
         if (air == 0) return exponential_kick(start, *this, 0, t);
-        const FlatPoint y = adaptive(flat(start), Flow<ThrowInAir>(*this), 0, t, {1e-13, 1e-13},
-                                     t / 100, [](const FlatPoint&, double) {});
+        const FlatPoint y = adaptive(flat(start), right_hand_side(start, *this), 0, t,
+                                     {1e-13, 1e-13}, t / 100, [](const FlatPoint&, double) {});
         return unflat(y, start);
     }
     double error(const PointMass& state, double t) const { return distance(state, exact(t)); }

@@ -12,36 +12,37 @@ template <class Flat>
 using SquareOf = Eigen::Matrix<double, Flat::RowsAtCompileTime, Flat::RowsAtCompileTime>;
 
 // [jacobian]
-/// How each rate changes with each number of y, d flow_i / d y_j, by forward differences: as
-/// many evaluations as y has numbers, and one. @param rate  flow(y, t), known already
+/// How each rate changes with each number of y, d f_i / d y_j, by forward differences: as
+/// many evaluations as y has numbers, and one. @param rate  f(y, t), known already
 template <class Flat, class Rate>
-SquareOf<Flat> jacobian(const Rate& flow, const Flat& y, const Flat& rate, double t) {
+SquareOf<Flat> jacobian(const Rate& f, const Flat& y, const Flat& rate, double t) {
     const double scale = y.cwiseAbs().maxCoeff(), width = 1e-8 * (scale > 1e-290 ? scale : 1);
     SquareOf<Flat> J(y.size(), y.size());
     for (Eigen::Index j = 0; j < y.size(); ++j) {
         Flat shifted = y;
         shifted[j] += width;
-        J.col(j) = (flow(shifted, t) - rate) / (shifted[j] - y[j]);
+        J.col(j) = (f(shifted, t) - rate) / (shifted[j] - y[j]);
     }
     return J;
 }
 // [/jacobian]
 
 // [implicit_euler]
-/// One step of implicit Euler: the z that solves z = y + dt flow(z, t + dt), by Newton's method.
+/// One step of implicit Euler: the z that solves z = y + dt f(z, t + dt), by Newton's method.
 /// First order; leaves an undamped spring 1/(1 + (omega dt)^2) of its energy a step, at any step.
 /// Putting z back into the right side until it stays would diverge beyond omega dt = 1; Newton's
-/// method does not. @throws std::runtime_error if 50 turns do not reach round-off
+/// method does not. @throws std::runtime_error if 50 iterations do not reach round-off
 template <class Flat, class Rate>
-Flat implicit_euler(const Flat& y, const Rate& flow, double t, double dt) {
+Flat implicit_euler(const Flat& y, const Rate& f, double t, double dt) {
     Flat z = y;
     double last = std::numeric_limits<double>::infinity();
     Eigen::PartialPivLU<SquareOf<Flat>> solver(y.size());
-    for (int turn = 0; turn < 50; ++turn) {
-        const Flat rate = flow(z, t + dt);
-        if (turn == 0 || turn % 5 == 4)  // the slope of the first guess serves a few turns
+    for (int iteration = 0; iteration < 50; ++iteration) {
+        const Flat rate = f(z, t + dt);
+        if (iteration == 0 ||
+            iteration % 5 == 4)  // the slope of the first guess serves a few iterations
             solver.compute(SquareOf<Flat>::Identity(y.size(), y.size()) -
-                           dt * jacobian(flow, z, rate, t + dt));
+                           dt * jacobian(f, z, rate, t + dt));
         const Flat correction = solver.solve(Flat(z - y - dt * rate));
         z -= correction;
         const double size = correction.norm(), scale = z.norm() + y.norm() + 1e-290;
@@ -60,8 +61,8 @@ Flat implicit_euler(const Flat& y, const Rate& flow, double t, double dt) {
 /// again. Second order; keeps the energy of a spring to round-off at any step, and shows it too
 /// slow when the step is large.
 template <class Flat, class Rate>
-Flat implicit_midpoint(const Flat& y, const Rate& flow, double t, double dt) {
-    return 2 * implicit_euler(y, flow, t, dt / 2) - y;
+Flat implicit_midpoint(const Flat& y, const Rate& f, double t, double dt) {
+    return 2 * implicit_euler(y, f, t, dt / 2) - y;
 }
 // [/implicit_midpoint]
 

@@ -55,7 +55,7 @@ TimedPlanet run_until(TimedPlanet planet, Method method, double end, double ds) 
     const auto step = [&](double length) { return method(planet, 0, 0.0, length); };
     for (TimedPlanet next = step(ds); next.time < end; next = step(ds)) planet = next;
     double low = 0, low_time = planet.time, high = ds, high_time = step(ds).time;
-    for (int turn = 0; turn < 20 && high_time != low_time; ++turn) {
+    for (int trial = 0; trial < 20 && high_time != low_time; ++trial) {
         const double length = high + (end - high_time) * (high - low) / (high_time - low_time);
         low = high, low_time = high_time;
         high = length, high_time = step(length).time;

@@ -1,8 +1,10 @@
 // Chapter 3 · Particles: the state of chapter 1 for any number of points at once, and the same
 // two verbs for all.
 #pragma once
-#include <nutshell/newton.hpp>
+#include <algorithm>
+#include <nutshell/exponential.hpp>
 #include <nutshell/wide.hpp>
+#include <utility>
 #include <vector>
 
 namespace nutshell {
@@ -42,9 +44,8 @@ struct Particles {
 // [/particles]
 
 // [particle_verbs]
-/// The push on all particles: forces [N], world frame, one array per axis. The arrays belong to
-/// whoever summed them, and are written again at the next evaluation: a step of a million
-/// particles allocates nothing.
+/// The push on all particles as a step sees it: forces [N], world frame, one array per axis. The
+/// arrays belong to whoever had them summed.
 using ForceArrays = wide::ConstAxes;
 
 /// Drift: every particle moves with the velocity it has, for dt seconds. Eq. (8) for all.
@@ -56,40 +57,92 @@ inline void drift(Particles& all, double dt) {
 inline void kick(Particles& all, const ForceArrays& forces, double dt) {
     wide::kick(all.size(), all.velocity.axes(), forces, all.mass.data(), dt);
 }
+inline void kick(Particles& all, const Vector3Array& forces, double dt) {
+    kick(all, forces.axes(), dt);
+}
 // [/particle_verbs]
 
-// [particle_decay]
-/// A factor for every particle that depends on its mass only.
+// [particle_drag_verbs]
+/// Multiplies the velocity of every particle by factor(mass [kg]); neighbours of equal mass share
+/// it.
 template <class Factor>
-struct ByMass {
-    const Particles& all;
-    Factor of;  ///< of(mass [kg])
-};
-template <class Factor>
-ByMass(const Particles&, Factor) -> ByMass<Factor>;
-
-/// Multiplies every vector by its particle's factor; neighbours of equal mass share it.
-template <class Factor>
-Vector3Array& operator*=(Vector3Array& vectors, const ByMass<Factor>& factor) {
+void scale_velocities(Particles& all, const Factor& factor) {
     double mass = 0, by = 0;
-    for (std::size_t i = 0; i < vectors.size(); ++i) {
-        if (factor.all.mass[i] != mass) mass = factor.all.mass[i], by = factor.of(mass);
-        vectors.x[i] *= by, vectors.y[i] *= by, vectors.z[i] *= by;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        if (all.mass[i] != mass) mass = all.mass[i], by = factor(mass);
+        all.velocity.x[i] *= by, all.velocity.y[i] *= by, all.velocity.z[i] *= by;
     }
-    return vectors;
 }
 
-/// What drag alone, gamma = `drag` [kg/s], leaves of every velocity after dt [s]: e^(-gamma
-/// dt/m).
-inline auto decay_of(const Particles& all, double drag, double dt) {
-    return ByMass{all, [=](double mass) { return std::exp(-drag * dt / mass); }};
+/// Stop: every particle is where it was, at rest.
+inline void stop(Particles& all) {
+    for (auto* axis : {&all.velocity.x, &all.velocity.y, &all.velocity.z})
+        std::fill(axis->begin(), axis->end(), 0.0);
 }
 
-/// The same by implicit Euler: 1/(1 + gamma dt/m).
-inline auto implicit_decay_of(const Particles& all, double drag, double dt) {
-    return ByMass{all, [=](double mass) { return 1 / (1 + drag * dt / mass); }};
+/// Decay: linear drag alone, gamma = `drag` [kg/s], acts on every particle for dt seconds.
+inline void decay(Particles& all, double drag, double dt) {
+    scale_velocities(all, [=](double mass) { return std::exp(-drag * dt / mass); });
 }
-// [/particle_decay]
+
+/// The same by implicit Euler.
+inline void implicit_decay(Particles& all, double drag, double dt) {
+    scale_velocities(all, [=](double mass) { return 1 / (1 + drag * dt / mass); });
+}
+// [/particle_drag_verbs]
+
+// [array_room]
+/// The room a run of many particles needs: for their forces, and for the particles at rest. It
+/// belongs to the run's stepper, so a step of a million particles allocates nothing, and runs that
+/// take turns do not meet.
+struct ArrayRoom {
+    Vector3Array forces;
+    Particles still;
+};
+
+/// A scene of many particles as a plain function asks it: forces(state, t), summed in that room.
+/// @tparam Forces  forces(all, t, into) writes the forces into arrays
+template <class Forces>
+struct InRoom {
+    const Forces& of;
+    ArrayRoom& room;
+    double drag = of.drag;  ///< gamma [kg/s]
+
+    ForceArrays operator()(const Particles& all, double t) const {
+        of(all, t, room.forces);
+        return std::as_const(room.forces).axes();
+    }
+};
+
+template <class Scene>
+requires requires(const Scene& scene, Vector3Array& into) {
+    scene(scene.start, 0.0, into);
+}
+ArrayRoom room_for(const Scene&) {
+    return ArrayRoom();
+}
+template <class Forces>
+InRoom<Forces> asking(const Forces& forces, ArrayRoom& room) {
+    return {forces, room};
+}
+template <class Forces>
+ForceArrays force_at_rest(const Particles& all, const InRoom<Forces>& forces, double t) {
+    forces.room.still = all;
+    stop(forces.room.still);
+    return forces(forces.room.still, t);
+}
+// [/array_room]
+
+/// The exponential kick of every particle under the force it feels at the start of the step.
+template <class Forces>
+Particles exponential_kick(Particles all, const Forces& forces, double t, double dt) {
+    const auto push = force_at_rest(all, forces, t);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const UnderForce on_i{{push.x[i], push.y[i], push.z[i]}, forces.drag};
+        all.set(i, exponential_kick(all[i], on_i, t, dt));
+    }
+    return all;
+}
 
 /// Gives the particles back if they can be simulated. @throws std::invalid_argument that names
 /// the first particle whose mass is not greater than zero or whose numbers are not finite, or if
@@ -143,13 +196,13 @@ inline Particles unflat(const Vector& y, Particles like) {
 
 /// How the flat state changes per second: positions by the velocities, velocities by force over
 /// mass.
-inline Vector rate(const Particles& all, const ForceArrays& forces) {
+inline Vector rate(const Particles& all, const Vector3Array& forces) {
     const auto n = static_cast<Eigen::Index>(all.size());
     Vector y(6 * n);
     for (Eigen::Index i = 0; i < n; ++i) {
         const auto k = static_cast<std::size_t>(i);
         y.segment<3>(3 * i) = all.velocity[k];
-        y.segment<3>(3 * (n + i)) = Vector3(forces.x[k], forces.y[k], forces.z[k]) / all.mass[k];
+        y.segment<3>(3 * (n + i)) = forces[k] / all.mass[k];
     }
     return y;
 }

@@ -72,21 +72,6 @@ inline double cloth_frequency(const std::vector<GridSpring>& kinds, double mass,
 }
 // [/cloth_frequency]
 
-// [net_flow]
-/// A net as the general-purpose methods see it: y' = flow(y, t), with y all positions and
-/// velocities in one list.
-struct NetFlow {
-    SpringNet net;
-    Vector start = flat(net.start);
-
-    explicit NetFlow(const SpringNet& of) : net(of) {}
-    Vector operator()(const Vector& y, double t) const {
-        const Particles all = unflat(y, net.start);
-        return rate(all, net(all, t));
-    }
-};
-// [/net_flow]
-
 // [fastest_mode]
 /// The fastest mode of a net of springs near a state, found by multiplying a random shift by the
 /// stiffness over and over (power iteration): what grows fastest is left. Works for any shape and
@@ -112,7 +97,7 @@ inline Mode fastest_mode(const SpringNet& net, const Particles& at, int turns = 
     }
     for (int turn = 0; turn < turns; ++turn) {
         for (std::size_t i = 0; i < at.size(); ++i) change.set(i, Vector3::Zero());
-        for (const auto& [a, b, spring] : springs.joints) {
+        for (const auto& [a, b, spring] : springs.links) {
             const Vector3 on_a = spring_force_change(spring, at.position[a], at.position[b],
                                                      mode.shape[a] - mode.shape[b]);
             add(change, a, on_a);

@@ -8,7 +8,7 @@ namespace nutshell {
 
 // [springs]
 /// A spring between the particles numbered a and b.
-struct Joint {
+struct Link {
     std::size_t a, b;
     Spring spring;
 };
@@ -22,7 +22,7 @@ struct Anchor {
 
 /// Any springs between any particles.
 struct Springs {
-    std::vector<Joint> joints = {};
+    std::vector<Link> links = {};
     std::vector<Anchor> anchors = {};
 };
 
@@ -33,11 +33,11 @@ inline void add(Vector3Array& forces, std::size_t i, const Vector3& force) {
 
 /// Adds the force of every spring to both its ends, equal and opposite. Eq. (18*).
 inline void add_forces(const Springs& springs, const Particles& all, Vector3Array& forces) {
-    for (const Joint& joint : springs.joints) {
+    for (const Link& link : springs.links) {
         const Vector3 on_a =
-            spring_force(joint.spring, all.position[joint.a], all.position[joint.b]);
-        add(forces, joint.a, on_a);
-        add(forces, joint.b, -on_a);
+            spring_force(link.spring, all.position[link.a], all.position[link.b]);
+        add(forces, link.a, on_a);
+        add(forces, link.b, -on_a);
     }
     for (const Anchor& anchor : springs.anchors)
         add(forces, anchor.particle,
@@ -48,8 +48,8 @@ inline void add_forces(const Springs& springs, const Particles& all, Vector3Arra
 /// Energy [J] in all springs.
 inline double spring_energy(const Springs& springs, const Particles& all) {
     double sum = 0;
-    for (const Joint& joint : springs.joints)
-        sum += spring_energy(joint.spring, all.position[joint.a], all.position[joint.b]);
+    for (const Link& link : springs.links)
+        sum += spring_energy(link.spring, all.position[link.a], all.position[link.b]);
     for (const Anchor& anchor : springs.anchors)
         sum += spring_energy(anchor.spring, all.position[anchor.particle], anchor.point);
     return sum;
@@ -64,13 +64,13 @@ inline Springs checked(Springs springs, std::size_t particles) {
                                    ", but there are only " + std::to_string(particles) +
                                    ", counted from 0");
     };
-    for (std::size_t i = 0; i < springs.joints.size(); ++i) {
+    for (std::size_t i = 0; i < springs.links.size(); ++i) {
         const std::string which = "spring " + std::to_string(i);
-        const Joint& joint = springs.joints[i];
-        exists(joint.a, which), exists(joint.b, which);
-        require(joint.a != joint.b, which + " joins particle " + std::to_string(joint.a) +
-                                        " to itself: give it two different ends");
-        checked(joint.spring);
+        const Link& link = springs.links[i];
+        exists(link.a, which), exists(link.b, which);
+        require(link.a != link.b, which + " joins particle " + std::to_string(link.a) +
+                                      " to itself: give it two different ends");
+        checked(link.spring);
     }
     for (std::size_t i = 0; i < springs.anchors.size(); ++i) {
         exists(springs.anchors[i].particle, "anchor " + std::to_string(i));
@@ -135,9 +135,9 @@ inline Springs list_of(const GridSprings& grid) {
                 if (r + down >= grid.rows || other < 0 ||
                     other >= static_cast<long>(grid.columns))
                     continue;
-                list.joints.push_back(
-                    {r * grid.columns + c,
-                     (r + down) * grid.columns + static_cast<std::size_t>(other), spring});
+                list.links.push_back({r * grid.columns + c,
+                                      (r + down) * grid.columns + static_cast<std::size_t>(other),
+                                      spring});
             }
     return list;
 }

@@ -48,7 +48,7 @@ inline double first_limit(const std::function<double(double)>& margin, double sm
     for (; margin(high) > 0; high *= 1.005)
         if (high > times * smallest) return std::numeric_limits<double>::infinity();
     double low = high / 1.005;
-    for (int turn = 0; turn < 60; ++turn) {
+    for (int halving = 0; halving < 60; ++halving) {
         const double middle = (low + high) / 2;
         (margin(middle) > 0 ? low : high) = middle;
     }
@@ -67,7 +67,7 @@ inline double exponential_limit(double omega, double g) {
 
 /// Verlet with the drag inside its kicks, the force evaluated again at the end of the step:
 /// g dt < 4 and (omega dt)^2 < 4 (1 + a^2)/(1 + a) with a = 1 - g dt/2.
-inline double naive_verlet_limit(double omega, double g) {
+inline double verlet_re_evaluated_limit(double omega, double g) {
     return first_limit(
         [=](double dt) {
             const double a = 1 - g * dt / 2;
@@ -81,7 +81,7 @@ inline double exponential_verlet_limit(double omega) {
     return omega == 0 ? std::numeric_limits<double>::infinity() : 2 / omega;
 }
 
-/// `ExponentialVerlet`, the half-drags next to the drift: (omega dt)^2 < 2 (1 + E)/sqrt(E), E =
+/// `ExponentialVerletInside`, the half-drags next to the drift: (omega dt)^2 < 2 (1 + E)/sqrt(E), E =
 /// e^(-g dt), which is 4 cosh(g dt/2).
 inline double exponential_verlet_inside_limit(double omega, double g) {
     return first_limit(
@@ -92,12 +92,12 @@ inline double exponential_verlet_inside_limit(double omega, double g) {
 
 using Complex = std::complex<double>;
 
-// [amplification]
-/// What one step of a general-purpose method multiplies the solution of y' = lambda y by, z =
-/// lambda dt. The truth is e^z; a step is stable where |R(z)| <= 1.
-struct Amplification {
+// [stability_function]
+/// The stability function R(z) of a general-purpose method: what one step multiplies the solution
+/// of y' = lambda y by, z = lambda dt. The truth is e^z; a step is stable where |R(z)| <= 1.
+struct StabilityFunction {
     static Complex euler(Complex z) { return 1. + z; }
-    static Complex midpoint(Complex z) { return 1. + z * (1. + z / 2.); }
+    static Complex explicit_midpoint(Complex z) { return 1. + z * (1. + z / 2.); }
     static Complex rk4(Complex z) {
         return 1. + z * (1. + z / 2. * (1. + z / 3. * (1. + z / 4.)));
     }
@@ -107,7 +107,7 @@ struct Amplification {
     static Complex implicit_euler(Complex z) { return 1. / (1. - z); }
     static Complex implicit_midpoint(Complex z) { return (1. + z / 2.) / (1. - z / 2.); }
 };
-// [/amplification]
+// [/stability_function]
 
 /// The pair of rates lambda of a damped spring: -g/2 +- sqrt(g^2/4 - omega^2), complex below
 /// critical damping.
@@ -119,12 +119,11 @@ inline std::array<Complex, 2> spring_rates(double omega, double g) {
 /// The limit of a general-purpose method on a damped spring: the first dt at which |R(lambda
 /// dt)| passes 1 for either rate. Zero if already the smallest step is unstable; infinite if
 /// none is.
-inline double general_limit(Complex (*amplification)(Complex), double omega, double g) {
+inline double general_limit(Complex (*stability)(Complex), double omega, double g) {
     const auto rates = spring_rates(omega, g);
     const auto margin = [&](double dt) {
         return 1 + 1e-13 -
-               std::max(std::abs(amplification(rates[0] * dt)),
-                        std::abs(amplification(rates[1] * dt)));
+               std::max(std::abs(stability(rates[0] * dt)), std::abs(stability(rates[1] * dt)));
     };
     const double smallest = 0.01 / (omega + g), limit = first_limit(margin, smallest);
     return limit < smallest ? 0 : limit;

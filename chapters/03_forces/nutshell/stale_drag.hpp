@@ -26,4 +26,10 @@ struct StaleEuler {
 };
 // [/stale_drag]
 
+inline constexpr Method stale_euler{"Euler, stale drag",
+                                    {Family::explicit_one_step, Mark::triangle_down, "8 3"},
+                                    1,
+                                    1,
+                                    [](const auto&) { return StaleEuler{}; }};
+
 }  // namespace nutshell::mistakes

@@ -26,4 +26,10 @@ struct Look {
     bool hollow = false;    ///< a variant of the method whose mark it has
 };
 
+/// The look of a variant of a method: its colour and mark, hollow and finely dashed.
+constexpr Look variant(Look look) {
+    look.hollow = true, look.dash = "1.5 3";
+    return look;
+}
+
 }  // namespace nutshell

@@ -22,7 +22,7 @@ int main() {
     for (int i = 0; i < steps; ++i)
         thrown = euler(thrown, ball, i * ball.duration / steps, ball.duration / steps);
     const Vector3 error = thrown.position - ball.exact(ball.duration).position;
-    const Vector3 law = throw_error(Method::euler, gravity, ball.duration, ball.duration / steps);
+    const Vector3 law = throw_error(Kicked::after_drift, gravity, ball.duration, ball.duration / steps);
     if (!((error - law).norm() < 1e-12 * law.norm() * steps))
         return std::printf("Euler is off by %g m, not %g m\n", error.norm(), law.norm()), 1;
 }

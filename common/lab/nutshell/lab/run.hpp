@@ -1,9 +1,9 @@
 // The lab's centre: run a scene with a method, and measure what came out.
 //
 // A scene has start, duration, operator()(state, t) for the push, and error(state, t); see a chapter's
-// scenes. A method is a function that makes one step: method(state, forces, t, dt) -> state. Both come in as
-// template parameters, so the compiler sees through them and a measured time is the time of the physics, not
-// of the lab.
+// scenes. A method is a value that starts a run: `auto step = method.start(scene)`; see <nutshell/method.hpp>.
+// Both come in as template parameters, so the compiler sees through them and a measured time is the time of
+// the physics, not of the lab.
 #pragma once
 #include <chrono>
 #include <cmath>
@@ -28,24 +28,25 @@ inline long steps_of(double duration, double dt) {
     return std::lround(steps);
 }
 
-/// Runs `scene` with `steps` equal steps of `method` and calls look(state, t) at the start and after every
-/// step. The method is copied first, so one that remembers starts fresh. @return the last state
+/// Runs `scene` with `steps` equal steps of `method` and calls observe(state, t) at the start and after every
+/// step. @return the last state
 /// @throws std::invalid_argument if steps < 1 or the scene's duration is not finite and greater than zero
-template <class Scene, class Method, class Look>
-auto run(const Scene& scene, Method method, long steps, Look&& look) {
+template <class Scene, class Method, class Observer>
+auto run(const Scene& scene, const Method& method, long steps, Observer&& observe) {
     require_positive(scene.duration, "the scene's duration [s]");
     require(steps >= 1, "a run needs at least one step, not " + std::to_string(steps));
     const double dt = scene.duration / static_cast<double>(steps);
+    auto step = method.start(scene);
     auto state = scene.start;
-    look(std::as_const(state), 0.0);
+    observe(std::as_const(state), 0.0);
     for (long n = 0; n < steps; ++n) {
-        state = method(std::move(state), scene, static_cast<double>(n) * dt, dt);
-        look(std::as_const(state), static_cast<double>(n + 1) * dt);
+        state = step(std::move(state), scene, static_cast<double>(n) * dt, dt);
+        observe(std::as_const(state), static_cast<double>(n + 1) * dt);
     }
     return state;
 }
 
-/// The same without looking: only the last state counts.
+/// The same without an observer: only the last state counts.
 template <class Scene, class Method>
 auto run(const Scene& scene, const Method& method, long steps) {
     return run(scene, method, steps, [](const auto&, double) {});
@@ -60,6 +61,12 @@ struct Counted : Scene {
     auto operator()(const State& state, double t) const {
         ++*evaluations;
         return Scene::operator()(state, t);
+    }
+    template <class State, class Push>
+    requires requires(const Scene& scene, const State& state, Push& into) { scene(state, 0.0, into); }
+    void operator()(const State& state, double t, Push& into) const {
+        ++*evaluations;
+        Scene::operator()(state, t, into);
     }
 };
 
@@ -179,11 +186,13 @@ double stability_limit(const Stable& stable, double low, double high, double rel
 /// linear scene a method that is stable stays within a constant times the start for ever, one that is not
 /// grows exponentially.
 template <class Scene, class Method, class Size>
-bool stays_within(const Scene& scene, Method method, double dt, long steps, double bound, const Size& size) {
+bool stays_within(const Scene& scene, const Method& method, double dt, long steps, double bound,
+                  const Size& size) {
     require_positive(dt, "the step dt [s]");
+    auto step = method.start(scene);
     auto state = scene.start;
     for (long n = 0; n < steps; ++n) {
-        state = method(std::move(state), scene, static_cast<double>(n) * dt, dt);
+        state = step(std::move(state), scene, static_cast<double>(n) * dt, dt);
         if (!(size(state) <= bound)) return false;  // also catches NaN
     }
     return true;

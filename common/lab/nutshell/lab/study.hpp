@@ -2,32 +2,42 @@
 #pragma once
 #include <algorithm>
 #include <nutshell/lab/run.hpp>
+#include <nutshell/look.hpp>
+#include <nutshell/method.hpp>
 #include <nutshell/need.hpp>
 #include <optional>
 
 namespace nutshell::lab {
 
-/// A method under the name the charts know, ready to be measured on `Scene`. Made by `entry`.
+/// A method with its name and look, ready to be measured on `Scene`. Made by `entry`.
 template <class Scene>
 struct Entry {
     std::string name;
+    Look look;
     std::function<Measurement(const Scene&, long steps)> measure;  ///< error and evaluations
     std::function<double(const Scene&, long steps)> seconds;       ///< processor time of one whole run [s]
 };
 
-/// Puts a method on the list for a scene. `name` as in <nutshell/chart/style.hpp>: it decides colour and mark.
+/// Puts a method on the list for a scene.
 template <class Scene, class Method>
-Entry<Scene> entry(std::string name, Method method) {
-    return {std::move(name),
+Entry<Scene> entry(const Method& method) {
+    return {method.name, method.look,
             [method](const Scene& scene, long steps) { return lab::measure(scene, method, steps); },
             [method](const Scene& scene, long steps) {
                 return time_of([&] { keep(run(scene, method, steps)); });
             }};
 }
 
+/// The same for a tuple of methods.
+template <class Scene, class... Starts>
+std::vector<Entry<Scene>> entries(const std::tuple<Method<Starts>...>& methods) {
+    return std::apply([](const auto&... method) { return std::vector{entry<Scene>(method)...}; }, methods);
+}
+
 /// One method's line on a work-precision chart, from the coarsest run to the finest.
 struct Curve {
-    std::string method;
+    std::string name;
+    Look look;
     std::vector<Measurement> runs;
 };
 
@@ -37,7 +47,7 @@ std::vector<Curve> work_precision(const Scene& scene, const std::vector<Entry<Sc
                                   const std::vector<long>& steps, bool timed = true) {
     std::vector<Curve> curves;
     for (const auto& method : methods) {
-        Curve curve{method.name, {}};
+        Curve curve{method.name, method.look, {}};
         for (const long n : steps) {
             curve.runs.push_back(method.measure(scene, n));
             if (timed) curve.runs.back().seconds_per_second = method.seconds(scene, n) / scene.duration;
