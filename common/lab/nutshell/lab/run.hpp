@@ -2,6 +2,7 @@
 //
 // A scene has start, duration, operator()(state, t) for the push, and error(state, t); see a chapter's
 // scenes. A method is a value that starts a run: `auto step = method.start(scene)`; see <nutshell/method.hpp>.
+// A plain step(state, scene, t, dt) does as well where nobody asks for its name.
 // Both come in as template parameters, so the compiler sees through them and a measured time is the time of
 // the physics, not of the lab.
 #pragma once
@@ -28,6 +29,15 @@ inline long steps_of(double duration, double dt) {
     return std::lround(steps);
 }
 
+/// The stepper of one run: what a method's start gives, or a copy of a plain step, for a quick try.
+template <class Method, class Scene>
+auto stepper(const Method& method, const Scene& scene) {
+    if constexpr (requires { method.start(scene); })
+        return method.start(scene);
+    else
+        return method;
+}
+
 /// Runs `scene` with `steps` equal steps of `method` and calls observe(state, t) at the start and after every
 /// step. @return the last state
 /// @throws std::invalid_argument if steps < 1 or the scene's duration is not finite and greater than zero
@@ -36,7 +46,7 @@ auto run(const Scene& scene, const Method& method, long steps, Observer&& observ
     require_positive(scene.duration, "the scene's duration [s]");
     require(steps >= 1, "a run needs at least one step, not " + std::to_string(steps));
     const double dt = scene.duration / static_cast<double>(steps);
-    auto step = method.start(scene);
+    auto step = stepper(method, scene);
     auto state = scene.start;
     observe(std::as_const(state), 0.0);
     for (long n = 0; n < steps; ++n) {
@@ -189,7 +199,7 @@ template <class Scene, class Method, class Size>
 bool stays_within(const Scene& scene, const Method& method, double dt, long steps, double bound,
                   const Size& size) {
     require_positive(dt, "the step dt [s]");
-    auto step = method.start(scene);
+    auto step = stepper(method, scene);
     auto state = scene.start;
     for (long n = 0; n < steps; ++n) {
         state = step(std::move(state), scene, static_cast<double>(n) * dt, dt);
