@@ -83,7 +83,7 @@ inline Pinned checked(const Pinned& body) {
 // [verbs]
 /// Drift: the body moves with the momentum it has and turns with the angular momentum it has.
 /// Source: eqs. (52)-(54), and (56*), whose constant omega is replaced by the free rotation.
-inline void drift(Body& body, double dt) {
+[[gnu::always_inline]] inline void drift(Body& body, double dt) {
     body.position += body.momentum / body.mass * dt;
     free_rotation(body.inertia, body.orientation, body.angular_momentum, dt);
 }
@@ -95,7 +95,7 @@ inline void kick(Body& body, const Wrench& push, double dt) {
 }
 
 /// Drift of a pinned body: it turns with the angular momentum it has.
-inline void drift(Pinned& body, double dt) {
+[[gnu::always_inline]] inline void drift(Pinned& body, double dt) {
     free_rotation(body.inertia, body.orientation, body.angular_momentum, dt);
 }
 

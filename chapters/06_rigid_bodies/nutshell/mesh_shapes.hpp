@@ -25,7 +25,8 @@ inline Mesh box_mesh(const Vector3& size) {
 // [/box_mesh]
 
 /// A solid turned about z: the corners of `profile`, (distance from the axis, height) [m], from
-/// the bottom to the top, on rings of `sides` vertices. The first and last corner lie on the axis.
+/// the bottom to the top, on rings of `sides` vertices. The first and last corner are on the
+/// axis.
 /// @throws std::invalid_argument for a profile of fewer than three corners or fewer than 3 sides
 inline Mesh turned_mesh(const std::vector<std::array<double, 2>>& profile, int sides) {
     require(profile.size() >= 3 && sides >= 3,
