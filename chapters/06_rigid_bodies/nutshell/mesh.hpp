@@ -99,8 +99,8 @@ inline MassProperties mass_properties(const Mesh& mesh, double density) {
             high = high.cwiseMax(mesh.vertices[static_cast<std::size_t>(corner)]);
         }
     const Vector3 middle =
-        low + (high - low) / 2;  // from here the numbers are small and little cancels
-    double volume = 0;
+        low + (high - low) / 2;        // from here the numbers are small and little cancels
+    double volume = 0, sizes = 0;      // of the tetrahedra, with their signs and without
     Vector3 first = Vector3::Zero();   // integral of x
     Matrix3 second = Matrix3::Zero();  // integral of x x^T
     for (const auto& [i, j, k] : mesh.triangles) {
@@ -108,29 +108,31 @@ inline MassProperties mass_properties(const Mesh& mesh, double density) {
                       b = mesh.vertices[static_cast<std::size_t>(j)] - middle,
                       c = mesh.vertices[static_cast<std::size_t>(k)] - middle, sum = a + b + c;
         const double six = a.dot(b.cross(c));  // six times the tetrahedron's volume
-        volume += six / 6;
+        volume += six / 6, sizes += std::abs(six) / 6;
         first += six / 24 * sum;
         second +=
             six / 120 *
             (a * a.transpose() + b * b.transpose() + c * c.transpose() + sum * sum.transpose());
     }
-    const double box = (high - low).prod();
-    require(std::isfinite(volume) && second.allFinite(),
-            "mass_properties: the mesh is too large");
-    require(volume >= -1e-12 * box,
-            "mass_properties: the volume is negative: the faces are inside out, their corners "
-            "must run "
-            "counter-clockwise seen from outside");
-    require(volume > 1e-12 * box, "mass_properties: the mesh encloses no volume");
-    require(volume <= (1 + 1e-12) * box,
-            "mass_properties: the skin encloses more than its bounding box: it passes through "
-            "itself");
+    require(std::isfinite(sizes) && second.allFinite(), "mass_properties: the mesh is too large");
+    require(
+        volume >= -1e-9 * sizes,
+        "mass_properties: the volume is negative: the faces are inside out, their corners must "
+        "run counter-clockwise seen from outside");
+    require(volume > 1e-9 * sizes && volume > 0, "mass_properties: the mesh encloses no volume");
     const Vector3 centre = first / volume;
     second -= volume * centre * centre.transpose();
     const Matrix3 inertia = density * (second.trace() * Matrix3::Identity() - second);
-    const std::string reason = why_impossible(
+    // What no body in this box can have. The volume keeps six digits at least, so do these.
+    constexpr double slack = 1 + 1e-5;
+    const Vector3 half = slack * (high - low) / 2;
+    const Vector3 spread = second.diagonal() / volume;  // mean square distance from the centre
+    std::string reason = why_impossible(
         Eigen::SelfAdjointEigenSolver<Matrix3>(inertia, Eigen::EigenvaluesOnly).eigenvalues(),
-        1e-9);
+        slack - 1);
+    if (volume > slack * (high - low).prod()) reason = "it encloses more than its bounding box";
+    if ((centre.cwiseAbs().array() > half.array()).any()) reason = "its centre lies outside";
+    if ((spread.array() > half.array().square()).any()) reason = "its inertia is too large";
     require(reason.empty(), "mass_properties: the skin passes through itself: " + reason);
     return {density * volume, middle + centre, inertia};
 }
