@@ -3,7 +3,7 @@ local Boxes = {}
 
 local titles = {                                    -- class -> what stands on the box
     question = "The question", predict = "Predict first", breaks = "What breaks", needs = "What the scene needs",
-    exercise = "Exercise", source = "In the source", idea = "The idea", see = "What you should see",
+    exercise = "Exercise", source = "In the source", idea = "The idea", see = "What you should see", goals = "In this chapter",
 }
 local plain = {pair = true, cards = true, card = true, lead = true}     -- layout without a title
 
@@ -53,7 +53,7 @@ local function exercise_end(page, at, number)
         return {}
     end
     local out = pandoc.List {pandoc.RawBlock("html",
-        ('<p class="do"><code>./course check %s</code></p>'):format(number))}
+        ('<p class="task"><code>./course check %s</code></p>'):format(number))}
     if Book.exercises[number].open then return out end
     local region = Regions.take(page, path .. "#" .. number)
     if not region then return out end

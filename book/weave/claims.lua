@@ -39,14 +39,11 @@ local function test_exists(name)
 end
 
 local function term(page, text)
+    if tonumber(text) then return tonumber(text) end
     local name, operator, factor = text:match("^([%w_./]+)%s*([*/]?)%s*([%d.]*)$")
     if not name then return nil, "'" .. text .. "' is no number, NAME, NAME*2 or NAME/2" end
-    local value = tonumber(name)
-    if not value then
-        local found, why = Numbers.value(page, name)
-        if not found then return nil, why end
-        value = found
-    end
+    local value, why = Numbers.value(page, name)
+    if not value then return nil, why end
     if operator == "*" then value = value * tonumber(factor) elseif operator == "/" then value = value / tonumber(factor) end
     return value
 end

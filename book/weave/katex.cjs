@@ -8,6 +8,8 @@ const katex = require(path.resolve(katexDir, 'katex.js'));
 const macros = {
     '\\norm': '\\lVert #1 \\rVert',
     '\\abs': '\\lvert #1 \\rvert',
+    '\\e': '\\mathrm{e}',          // Euler's number; e is the restitution
+    '\\ii': '\\mathrm{i}',         // the quarter turn; i is an index
 };
 const text = s => s.replace(/&lt;/g, '<').replace(/&gt;/g, '>').replace(/&quot;/g, '"').replace(/&amp;/g, '&');
 const set = new Map();                           // the same formula is set once

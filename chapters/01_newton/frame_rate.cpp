@@ -82,6 +82,11 @@ void game_loop(lab::Report& report) {
     report.number("game_loop.fixed_least", fixed_least, "m");
     report.number("game_loop.fixed_most", fixed_most, "m");
     report.number("game_loop.fixed_spread", fixed_most - fixed_least, "m");
+    // how far the true ball flies in the one step by which the drawing is late
+    const double end = scene.duration;
+    report.number("game_loop.drawn_lag",
+                  (scene.exact(end).position - scene.exact(end - fixed_step).position).norm(),
+                  "m");
 
     // The source's program (section 10, erratum E72) makes one step of 0.008 s a frame, whatever
     // the frame lasts.

@@ -1,0 +1,78 @@
+// Exercise 0.11: a zero by Newton's method.
+#pragma once
+#include <nutshell/toolbox.hpp>
+#include "exercise.hpp"
+
+namespace nutshell::exercises {
+
+struct NewtonRoot {
+    static constexpr const char *id = "0.11", *function = "newton_root";
+    static constexpr auto subject = NUTSHELL_CALL(newton_root);
+
+    template <class Answer>
+    static void ask(Paper& paper, const Answer& answer) {
+        const auto f = [](double x) { return x * x * x - 2 * x - 5; };
+        const auto df = [](double x) { return 3 * x * x - 2; };
+        for (const int turns : {0, 1, 3}) {
+            paper.input("f", "x^3 - 2 x - 5", "x", 2.6, "turns", turns);
+            const double root = answer(f, df, 2.6, turns);
+            paper.output("the place after the turns", root, 2.6);
+        }
+    }
+
+#ifndef NUTSHELL_SHEET
+    static About<NewtonRoot> about() {
+        return {
+            .title = "Find the zero",
+            .hints = {"How far from x does the tangent cross zero, if it stands at f(x) and its "
+                      "slope is df(x)?",
+                      "The tangent falls f(x) in a way of f(x) / df(x).",
+                      "Repeat: subtract f(x) / df(x) from x."},
+            .picture = "newton.svg",
+            .mistakes =
+                {{"uphill", "classic: a sign", "The joint flies apart instead of closing.",
+                  "You go away from the zero. Where f and its slope are positive the zero lies "
+                  "to the left: subtract.",
+                  [](const auto& f, const auto& df, double x, int turns) -> double {
+                      for (int i = 0; i < turns; ++i) x += f(x) / df(x);
+                      return x;
+                  }},
+                 {"upside down", "classic", "It jumps about and finds nothing.",
+                  "You divide the slope by the value. The way is the value over the slope.",
+                  [](const auto& f, const auto& df, double x, int turns) -> double {
+                      for (int i = 0; i < turns; ++i) x -= df(x) / f(x);
+                      return x;
+                  }},
+                 {"the slope of the start kept", "classic: one Jacobian for all",
+                  "It arrives, but with a few digits a turn.",
+                  "You use the slope of the first guess in every turn. That saves work and loses "
+                  "the doubling of digits.",
+                  [](const auto& f, const auto& df, double x, int turns) -> double {
+                      const double k = df(x);
+                      for (int i = 0; i < turns; ++i) x -= f(x) / k;
+                      return x;
+                  }},
+                 {"one turn only", "classic: a loop forgotten",
+                  "It is only nearly right, whatever the number of turns.",
+                  "You make one turn. Repeat it as often as asked, also not at all.",
+                  [](const auto& f, const auto& df, double x, int turns) -> double {
+                      return turns > 0 ? x - f(x) / df(x) : x;
+                  }}},
+            .alternatives = {{"counting down",
+                              [](const auto& f, const auto& df, double x, int turns) -> double {
+                                  while (turns-- > 0) x = x - f(x) / df(x);
+                                  return x;
+                              }},
+                             {"the mean of tangent and place",
+                              [](const auto& f, const auto& df, double x, int turns) -> double {
+                                  for (int i = 0; i < turns; ++i) x = (x * df(x) - f(x)) / df(x);
+                                  return x;
+                              }}},
+        };
+    }
+#endif
+};
+
+inline const bool newton_root_entered = enter<NewtonRoot>();
+
+}  // namespace nutshell::exercises

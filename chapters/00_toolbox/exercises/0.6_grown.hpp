@@ -1,0 +1,73 @@
+// Exercise 0.6: growth and decay.
+#pragma once
+#include <nutshell/toolbox.hpp>
+#include "exercise.hpp"
+
+namespace nutshell::exercises {
+
+struct Grown {
+    static constexpr const char *id = "0.6", *function = "grown";
+    static constexpr auto subject = NUTSHELL_CALL(grown);
+
+    template <class Answer>
+    static void ask(Paper& paper, const Answer& answer) {
+        for (const double rate : {-0.7, 0.4}) {
+            for (const double t : {0.6, 2.3}) {
+                paper.input("y", 3.0, "rate", rate, "t", t);
+                const double left = answer(3.0, rate, t);
+                paper.output("what is there after t", left, 3.0 * std::exp(std::abs(rate) * t));
+            }
+        }
+    }
+
+#ifndef NUTSHELL_SHEET
+    static About<Grown> about() {
+        return {
+            .title = "What is left?",
+            .hints = {"It changes all the time in proportion to what there is. Which function "
+                      "does that?",
+                      "The exponential of what? Of a number without unit: a rate times a time.",
+                      "Start from y and multiply it by std::exp of rate times t."},
+            .picture = "growth.svg",
+            .mistakes = {{"one straight step", "classic: Euler's method in one step",
+                          "In a slow frame the speed turns round.",
+                          "You make one step with the change at the start. What is there changes "
+                          "on the way, and its change with it.",
+                          [](double y, double rate, double t) -> double {
+                              return y * (1 + rate * t);
+                          }},
+                         {"the wrong sign", "classic: a sign", "What should fade explodes.",
+                          "A negative rate is already a decay; do not turn its sign once more.",
+                          [](double y, double rate, double t) -> double {
+                              return y * std::exp(-rate * t);
+                          }},
+                         {"the time forgotten", "classic: a factor per frame",
+                          "The drag depends on the frame rate.",
+                          "Your factor does not depend on the time. The exponent is the rate "
+                          "times the time.",
+                          [](double y, double rate, double t) -> double {
+                              return y * std::exp(rate) + 0 * t;
+                          }},
+                         {"powers of two", "classic: half-life", "Everything fades too slowly.",
+                          "You count in doublings. The rate belongs to e; for doublings it would "
+                          "have to be divided by ln 2.",
+                          [](double y, double rate, double t) -> double {
+                              return y * std::exp2(rate * t);
+                          }}},
+            .alternatives = {{"a power of e",
+                              [](double y, double rate, double t) -> double {
+                                  return y * std::pow(std::exp(1.0), rate * t);
+                              }},
+                             {"in two halves",
+                              [](double y, double rate, double t) -> double {
+                                  const double half = std::exp(rate * t / 2);
+                                  return y * half * half;
+                              }}},
+        };
+    }
+#endif
+};
+
+inline const bool grown_entered = enter<Grown>();
+
+}  // namespace nutshell::exercises

@@ -1,0 +1,72 @@
+// Exercise 0.7: a turn in the plane.
+#pragma once
+#include <nutshell/toolbox.hpp>
+#include "exercise.hpp"
+
+namespace nutshell::exercises {
+
+struct Turned {
+    static constexpr const char *id = "0.7", *function = "turned";
+    static constexpr auto subject = NUTSHELL_CALL(turned);
+
+    template <class Answer>
+    static void ask(Paper& paper, const Answer& answer) {
+        const Complex z{1.7, -0.9};
+        for (const double angle : {0.8, -2.1}) {
+            paper.input("z", std::vector<double>{z.real(), z.imag()}, "angle", angle);
+            const Complex found = answer(z, angle);
+            paper.output("the turned point", std::vector<double>{found.real(), found.imag()},
+                         std::abs(z));
+        }
+    }
+
+#ifndef NUTSHELL_SHEET
+    static About<Turned> about() {
+        return {
+            .title = "A turn by any angle",
+            .hints = {"Multiplying by a number of size 1 turns. Which number turns by the angle?",
+                      "It lies on the unit circle: its parts are the cosine and the sine of the "
+                      "angle.",
+                      "Multiply z by Complex{cosine, sine}."},
+            .picture = "turns.svg",
+            .mistakes =
+                {{"clockwise", "classic: a sign", "The wheel turns backwards.",
+                  "You turn the other way. A positive angle is counter-clockwise: plus the sine "
+                  "in the imaginary part.",
+                  [](Complex z, double angle) -> Complex { return z * std::polar(1.0, -angle); }},
+                 {"in degrees", "classic: degrees and radians", "Everything hardly turns.",
+                  "You convert from degrees, and the angle comes in radians.",
+                  [](Complex z, double angle) -> Complex {
+                      return z * std::polar(1.0, angle * pi / 180);
+                  }},
+                 {"added, not multiplied", "classic", "The wheel slides instead of turning.",
+                  "You add the turn to the point. Turning is multiplying.",
+                  [](Complex z, double angle) -> Complex { return z + std::polar(1.0, angle); }},
+                 {"one small step", "classic: 1 + i angle", "The wheel grows as it turns.",
+                  "1 + i times the angle is the start of a turn: it is longer than 1 and so "
+                  "makes the point larger.",
+                  [](Complex z, double angle) -> Complex {
+                      return z * Complex{1, angle};
+                  }}},
+            .alternatives = {{"polar",
+                              [](Complex z, double angle) -> Complex {
+                                  return z * std::polar(1.0, angle);
+                              }},
+                             {"the exponential of i angle",
+                              [](Complex z, double angle) -> Complex {
+                                  return z * std::exp(Complex{0, angle});
+                              }},
+                             {"by components",
+                              [](Complex z, double angle) -> Complex {
+                                  return {
+                                      z.real() * std::cos(angle) - z.imag() * std::sin(angle),
+                                      z.real() * std::sin(angle) + z.imag() * std::cos(angle)};
+                              }}},
+        };
+    }
+#endif
+};
+
+inline const bool turned_entered = enter<Turned>();
+
+}  // namespace nutshell::exercises

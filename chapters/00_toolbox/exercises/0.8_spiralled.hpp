@@ -1,0 +1,74 @@
+// Exercise 0.8: a complex rate.
+#pragma once
+#include <nutshell/toolbox.hpp>
+#include "exercise.hpp"
+
+namespace nutshell::exercises {
+
+struct Spiralled {
+    static constexpr const char *id = "0.8", *function = "spiralled";
+    static constexpr auto subject = NUTSHELL_CALL(spiralled);
+
+    template <class Answer>
+    static void ask(Paper& paper, const Answer& answer) {
+        const Complex z{1.2, 0.7};
+        for (const Complex lambda : {Complex{-0.4, 1.9}, Complex{0.3, -0.8}}) {
+            paper.input("z", std::vector<double>{z.real(), z.imag()}, "lambda",
+                        std::vector<double>{lambda.real(), lambda.imag()}, "t", 1.4);
+            const Complex found = answer(z, lambda, 1.4);
+            paper.output("the point after t", std::vector<double>{found.real(), found.imag()},
+                         3.0);
+        }
+    }
+
+#ifndef NUTSHELL_SHEET
+    static About<Spiralled> about() {
+        return {
+            .title = "Turn and fade",
+            .hints = {"Two things happen to the point, and neither disturbs the other.",
+                      "The real part of lambda is a rate for grown, the imaginary part an angle "
+                      "per second for turned.",
+                      "Multiply z by grown(1, real part, t), then turn it by the imaginary part "
+                      "times t."},
+            .picture = "turns.svg",
+            .mistakes = {{"it only turns", "classic: no damping", "The spring swings for ever.",
+                          "The real part of lambda is not used: nothing grows or fades.",
+                          [](Complex z, Complex lambda, double t) -> Complex {
+                              return z * std::polar(1.0, lambda.imag() * t);
+                          }},
+                         {"it only fades", "classic", "Nothing swings.",
+                          "The imaginary part of lambda is not used: nothing turns.",
+                          [](Complex z, Complex lambda, double t) -> Complex {
+                              return z * std::exp(lambda.real() * t);
+                          }},
+                         {"the angle without the time", "classic",
+                          "The spring stands still at an angle.",
+                          "The imaginary part is an angle per second. Multiply it by the time.",
+                          [](Complex z, Complex lambda, double t) -> Complex {
+                              return z * std::exp(lambda.real() * t) *
+                                     std::polar(1.0, lambda.imag());
+                          }},
+                         {"one straight step", "classic: Euler's method in one step",
+                          "What should fade flies out.",
+                          "You make one step with the change at the start, z + lambda z t. On "
+                          "the way the change turns and shrinks with z.",
+                          [](Complex z, Complex lambda, double t) -> Complex {
+                              return z + lambda * z * t;
+                          }}},
+            .alternatives = {{"the complex exponential",
+                              [](Complex z, Complex lambda, double t) -> Complex {
+                                  return z * std::exp(lambda * t);
+                              }},
+                             {"polar",
+                              [](Complex z, Complex lambda, double t) -> Complex {
+                                  return z * std::polar(std::exp(lambda.real() * t),
+                                                        lambda.imag() * t);
+                              }}},
+        };
+    }
+#endif
+};
+
+inline const bool spiralled_entered = enter<Spiralled>();
+
+}  // namespace nutshell::exercises

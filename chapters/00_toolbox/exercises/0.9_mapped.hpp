@@ -1,0 +1,64 @@
+// Exercise 0.9: a matrix times a vector.
+#pragma once
+#include <nutshell/toolbox.hpp>
+#include "exercise.hpp"
+
+namespace nutshell::exercises {
+
+struct Mapped {
+    static constexpr const char *id = "0.9", *function = "mapped";
+    static constexpr auto subject = NUTSHELL_CALL(mapped);
+
+    template <class Answer>
+    static void ask(Paper& paper, const Answer& answer) {
+        const Matrix2 A{{1.3, -0.7}, {2.1, 0.4}};
+        for (const Vector2& v : {Vector2{0.9, 1.6}, Vector2{-1.2, 0.5}}) {
+            paper.input("A, by columns", A, "v", v);
+            const Vector2 found = answer(A, v);
+            paper.output("A v", found, A, v);
+        }
+    }
+
+#ifndef NUTSHELL_SHEET
+    static About<Mapped> about() {
+        return {
+            .title = "Matrix times vector",
+            .hints = {"Each number of v says how much of one column to take.",
+                      "A.col(0) is the first column.",
+                      "v.x() of the first column and v.y() of the second, added."},
+            .picture = "matrix.svg",
+            .mistakes = {{"rows for columns", "classic: the matrix transposed",
+                          "Everything turns the wrong way.",
+                          "You take the rows as columns: that is the transposed matrix.",
+                          [](const Matrix2& A, const Vector2& v) -> Vector2 {
+                              return A.transpose() * v;
+                          }},
+                         {"column by column, not added", "classic: element by element",
+                          "Things are stretched and never turned.",
+                          "You multiply only the diagonal. The other two numbers of the matrix "
+                          "carry x into y and y into x.",
+                          [](const Matrix2& A, const Vector2& v) -> Vector2 {
+                              return A.diagonal().cwiseProduct(v);
+                          }},
+                         {"the columns exchanged", "classic", "The picture is mirrored.",
+                          "The first column belongs to v.x, the second to v.y.",
+                          [](const Matrix2& A, const Vector2& v) -> Vector2 {
+                              return v.y() * A.col(0) + v.x() * A.col(1);
+                          }}},
+            .alternatives = {{"Eigen's product",
+                              [](const Matrix2& A, const Vector2& v) -> Vector2 {
+                                  return A * v;
+                              }},
+                             {"row by row",
+                              [](const Matrix2& A, const Vector2& v) -> Vector2 {
+                                  return {A(0, 0) * v.x() + A(0, 1) * v.y(),
+                                          A(1, 0) * v.x() + A(1, 1) * v.y()};
+                              }}},
+        };
+    }
+#endif
+};
+
+inline const bool mapped_entered = enter<Mapped>();
+
+}  // namespace nutshell::exercises
