@@ -33,7 +33,7 @@ TEST_CASE("coning is what it says: the exact pose turns at the scene's angular v
     }
 }
 
-TEST_CASE("orders on coning: 1, 1, 2, 4, 4; Magnus with the wrong sign falls to 2") {
+TEST_CASE("orders on coning: 1, 1, 2, 4, 4, and Magnus with the wrong sign falls to 2") {
     const Coning scene;
     CHECK_THAT(convergence(scene, first, {800, 1600, 3200}), HasOrder(1));
     CHECK_THAT(convergence(scene, exponential_start, {800, 1600, 3200}), HasOrder(1));

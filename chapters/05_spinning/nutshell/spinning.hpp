@@ -7,12 +7,14 @@
 namespace nutshell {
 
 // [velocity]
-/// Velocity [m/s] of a point of a spinning body.
+/// Velocity [m/s] of a point of a spinning body, seen from the point that stays.
 /// @param omega  angular velocity [rad/s], world axes
-/// @param x  where the point is now, from the point that stays [m], world axes: R p, not p
-/// Source: eq. (37*).
-inline Vector3 point_velocity(const Vector3& omega, const Vector3& x) {
-    return omega.cross(x);
+/// @param pose  of the body now      @param p  where the point is in the body [m], body axes
+/// Source: eqs. (34), (37*).
+inline Vector3 point_velocity(const Vector3& omega, const Quaternion& pose, const Vector3& p) {
+    // exercise 5.1
+    return omega.cross(rotate(pose, p));
+    // end 5.1
 }
 
 /// The mean angular velocity [rad/s] that leads from one pose to the next in dt seconds, the
@@ -20,7 +22,9 @@ inline Vector3 point_velocity(const Vector3& omega, const Vector3& x) {
 /// @throws std::invalid_argument if dt is not finite and greater than zero
 inline Vector3 angular_velocity_between(const Quaternion& from, const Quaternion& to, double dt) {
     require_positive(dt, "angular_velocity_between: dt [s]");
+    // exercise 5.2
     return logarithm(product(to, inverse(from))) / dt;
+    // end 5.2
 }
 // [/velocity]
 
@@ -50,15 +54,19 @@ Quaternion first_order_unit(const Quaternion& q, const Spin& spin, double t, dou
 /// for a steady spin, however fast. Eq. (5.b).
 template <class Spin>
 Quaternion exponential_map(const Quaternion& q, const Spin& spin, double t, double dt) {
+    // exercise 5.4
     return product(exponential(spin(q, t) * dt), q);
+    // end 5.4
 }
 
 /// The same with the angular velocity of the middle of the step, which a step of half the length
 /// finds if it depends on the pose. Second order. Eq. (5.c).
 template <class Spin>
 Quaternion exponential_midpoint(const Quaternion& q, const Spin& spin, double t, double dt) {
+    // exercise 5.5
     const Quaternion middle = exponential_map(q, spin, t, dt / 2);
     return product(exponential(spin(middle, t + dt / 2) * dt), q);
+    // end 5.5
 }
 // [/exponential_map]
 
@@ -68,11 +76,13 @@ Quaternion exponential_midpoint(const Quaternion& q, const Spin& spin, double t,
 /// Source: A. Iserles and S. Norsett, Phil. Trans. R. Soc. A 357 (1999) 983.
 template <class Spin>
 Quaternion magnus4(const Quaternion& q, const Spin& spin, double t, double dt) {
+    // exercise 5.6
     const double apart = std::sqrt(3.0) / 6 * dt;
     const Vector3 first = spin(q, t + dt / 2 - apart), second = spin(q, t + dt / 2 + apart);
     const Vector3 turn =
         dt / 2 * (first + second) + std::sqrt(3.0) / 12 * dt * dt * second.cross(first);
     return product(exponential(turn), q);
+    // end 5.6
 }
 // [/magnus]
 
@@ -82,11 +92,13 @@ Quaternion magnus4(const Quaternion& q, const Spin& spin, double t, double dt) {
 /// omega dt = 4 sqrt(2).
 template <class Spin>
 Quaternion rk4_pose(const Quaternion& q, const Spin& spin, double t, double dt) {
+    // exercise 5.7
     const auto rate = [&](const Eigen::Vector4d& y, double now) {
         const Quaternion pose(y);
         return Eigen::Vector4d(vector_product(spin(pose, now), pose).coeffs() / 2);
     };
     return Quaternion(rk4(Eigen::Vector4d(q.coeffs()), rate, t, dt));
+    // end 5.7
 }
 // [/rk4_pose]
 
@@ -96,7 +108,9 @@ Quaternion rk4_pose(const Quaternion& q, const Spin& spin, double t, double dt) 
 /// @throws std::invalid_argument if there are no spokes
 inline double seen_turn(double turn, int spokes) {
     require(spokes >= 1, "seen_turn: a wheel needs one spoke at least to be seen turning");
+    // exercise 5.8
     return std::remainder(turn, 2 * pi / spokes);
+    // end 5.8
 }
 // [/seen]
 

@@ -4,7 +4,7 @@
 
 namespace nutshell {
 
-// [limits]
+// [lag]
 /// What one step of (32) multiplies the length of q by. Eq. (5.a).
 inline double first_order_growth(double theta) {
     return std::sqrt(1 + theta * theta / 4);
@@ -12,8 +12,12 @@ inline double first_order_growth(double theta) {
 
 /// How much of the angle theta [rad] one step of (32) leaves out: theta^3/12 where theta is small.
 inline double first_order_lag(double theta) {
+    // exercise 5.3
     return theta - 2 * std::atan(theta / 2);
+    // end 5.3
 }
+
+// [/lag]
 
 /// rk4 multiplies q, as it does every vibration of (half) the angle, by a complex number: its
 /// length, and how much of theta it leaves out [rad], theta^5/1920 where theta is small.
@@ -28,7 +32,6 @@ inline double rk4_pose_lag(double theta) {
 
 /// omega dt beyond which rk4 makes q longer at every step.
 inline const double rk4_pose_limit = 4 * std::sqrt(2.0);
-// [/limits]
 
 // [clamp]
 /// omega, cut to a turn of at most `most` radians in dt seconds: what engines do to keep their

@@ -84,7 +84,7 @@ struct RollingWheel {
     }
     /// How fast it is [m/s]: with the centre, and round it.
     Vector3 velocity(const Quaternion& q, const Vector3& p) const {
-        return Vector3(speed, 0, 0) + point_velocity(omega(), rotate(q, p));
+        return Vector3(speed, 0, 0) + point_velocity(omega(), q, p);
     }
     Quaternion exact(double t) const {
         return quaternion_about(Vector3::UnitZ(), -speed / radius * t);

@@ -1,0 +1,101 @@
+// Exercise 5.7: chapter 3's rk4 on the four numbers of a pose.
+#pragma once
+#include "spins.hpp"
+
+namespace nutshell::exercises {
+
+struct Rk4Pose {
+    static constexpr const char *id = "5.7", *function = "rk4_pose";
+    static constexpr auto subject = NUTSHELL_CALL(rk4_pose);
+
+    template <class Answer>
+    static void ask(Paper& paper, const Answer& answer) {
+        ask_spin(paper, answer, 0.6);
+    }
+
+#ifndef NUTSHELL_SHEET
+    using Flat = Eigen::Vector4d;
+    template <class Rate>
+    static Quaternion runge_kutta(const Quaternion& q, double t, double dt, const Rate& rate) {
+        const Flat y = q.coeffs(), k1 = rate(y, t), k2 = rate(Flat(y + dt / 2 * k1), t + dt / 2),
+                   k3 = rate(Flat(y + dt / 2 * k2), t + dt / 2),
+                   k4 = rate(Flat(y + dt * k3), t + dt);
+        return Quaternion(Flat(y + dt / 6 * (k1 + 2 * k2 + 2 * k3 + k4)));
+    }
+    static Flat rate_of(const Vector3& omega, const Quaternion& pose) {
+        return (four_vector(omega, 0) * pose).coeffs() / 2;
+    }
+    static About<Rk4Pose> about() {
+        return {
+            .title = "Runge and Kutta turn",
+            .hints =
+                {"rk4 knows only a list of numbers and its rate. What is the rate of the four "
+                 "numbers of q while the body turns with omega?",
+                 "Take (32), less q, over dt: half of the product of (omega, 0) with q. omega "
+                 "must be asked for the pose and the time that rk4 is at.",
+                 "Write the rate as a function of a flat y and a time: make a Quaternion of "
+                 "y, ask spin there, and hand back half of vector_product's coefficients."},
+            .order = 4,
+            .picture = "coning.svg",
+            .mistakes =
+                {{"the half forgotten", "classic", "Everything turns twice as fast.",
+                  "q knows half of the angle: its rate is half of the product.",
+                  [](const Quaternion& q, const auto& spin, double t, double dt) -> Quaternion {
+                      return runge_kutta(q, t, dt, [&](const Flat& y, double now) {
+                          const Quaternion pose(y);
+                          return Flat(2 * rate_of(spin(pose, now), pose));
+                      });
+                  }},
+                 {"about the body's axes", "E20: the wrong side",
+                  "A tilted body turns about a tilted axis.",
+                  "(omega, 0) stands on the right of q. omega is in the world's axes: left.",
+                  [](const Quaternion& q, const auto& spin, double t, double dt) -> Quaternion {
+                      return runge_kutta(q, t, dt, [&](const Flat& y, double now) {
+                          const Quaternion pose(y);
+                          return Flat((pose * four_vector(spin(pose, now), 0)).coeffs() / 2);
+                      });
+                  }},
+                 {"the start's angular velocity four times", "classic: omega asked once",
+                  "Four times the work for first order.",
+                  "You ask for the angular velocity once, at the start. Each of the four rates "
+                  "wants its own.",
+                  [](const Quaternion& q, const auto& spin, double t, double dt) -> Quaternion {
+                      const Vector3 omega = spin(q, t);
+                      return runge_kutta(q, t, dt, [&](const Flat& y, double) {
+                          return Flat(rate_of(omega, Quaternion(y)));
+                      });
+                  }},
+                 {"the start's time four times", "classic",
+                  "Spins that follow the clock are late.",
+                  "You ask for the right pose but always for the time t.",
+                  [](const Quaternion& q, const auto& spin, double t, double dt) -> Quaternion {
+                      return runge_kutta(q, t, dt, [&](const Flat& y, double) {
+                          const Quaternion pose(y);
+                          return Flat(rate_of(spin(pose, t), pose));
+                      });
+                  }},
+                 {"the rows of (31) as printed", "E19", "The body jumps with its first step.",
+                  "The scalar's row stands first in the printed (31); q keeps its scalar last.",
+                  [](const Quaternion& q, const auto& spin, double t, double dt) -> Quaternion {
+                      return runge_kutta(q, t, dt, [&](const Flat& y, double now) {
+                          const Quaternion pose(y);
+                          const Flat r = rate_of(spin(pose, now), pose);
+                          return Flat(r[3], r[0], r[1], r[2]);
+                      });
+                  }}},
+            .alternatives = {{"four rates by hand",
+                              [](const Quaternion& q, const auto& spin, double t,
+                                 double dt) -> Quaternion {
+                                  return runge_kutta(q, t, dt, [&](const Flat& y, double now) {
+                                      const Quaternion pose(y);
+                                      return rate_of(spin(pose, now), pose);
+                                  });
+                              }}},
+        };
+    }
+#endif
+};
+
+inline const bool rk4_pose_entered = enter<Rk4Pose>();
+
+}  // namespace nutshell::exercises

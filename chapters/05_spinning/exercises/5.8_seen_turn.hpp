@@ -1,0 +1,80 @@
+// Exercise 5.8: what an eye sees of a turn between two pictures.
+#pragma once
+#include <nutshell/spinning.hpp>
+#include "exercise.hpp"
+
+namespace nutshell::exercises {
+
+struct SeenTurn {
+    static constexpr const char *id = "5.8", *function = "seen_turn";
+    static constexpr auto subject = NUTSHELL_CALL(seen_turn);
+
+    template <class Answer>
+    static void ask(Paper& paper, const Answer& answer) {
+        for (const int spokes : {1, 4, 7})
+            for (const double part : {0.3, 0.6, 0.95, 2.7, -0.4, -0.8, 0.0}) {
+                const double turn = part * 2 * pi / spokes;
+                paper.input("turn", turn, "spokes", static_cast<double>(spokes));
+                const double seen = answer(turn, spokes);
+                paper.output("the turn seen [rad]", seen, 2 * pi / spokes);
+            }
+    }
+
+#ifndef NUTSHELL_SHEET
+    static About<SeenTurn> about() {
+        return {
+            .title = "What the eye sees",
+            .hints =
+                {"A wheel with n equal spokes looks the same after part of a turn. After "
+                 "which part?",
+                 "Whole numbers of that part cannot be seen: take away the nearest one. What "
+                 "is left may be negative.",
+                 "The standard library's std::remainder takes away the nearest whole number "
+                 "of its second argument."},
+            .picture = "wagon.png",
+            .mistakes =
+                {{"always forwards", "classic: fmod for remainder",
+                  "The wagon wheel never turns backwards.",
+                  "You take away whole spokes downwards. The eye takes the nearest: what is left "
+                  "lies between minus and plus half a spoke.",
+                  [](double turn, int spokes) -> double {
+                      const double spoke = 2 * pi / spokes;
+                      return turn - spoke * std::floor(turn / spoke);
+                  }},
+                 {"a wheel with one spoke", "classic", "Only very fast wheels turn backwards.",
+                  "You take away whole turns. The wheel looks the same after each spoke.",
+                  [](double turn, int) -> double { return std::remainder(turn, 2 * pi); }},
+                 {"half of a spoke", "classic", "Wheels turn backwards too early.",
+                  "The wheel looks the same after 2 pi over the number of spokes, not pi over "
+                  "it.",
+                  [](double turn, int spokes) -> double {
+                      return std::remainder(turn, pi / spokes);
+                  }},
+                 {"the turn itself", "classic", "The eye is too good.",
+                  "You return the turn unchanged. Nobody can see whole spokes.",
+                  [](double turn, int) -> double { return turn; }},
+                 {"in spokes", "classic: another unit", "The speed shown is too high.",
+                  "You return a number of spokes. The angle is asked for, in radians.",
+                  [](double turn, int spokes) -> double {
+                      const double part = turn * spokes / (2 * pi);
+                      return part - std::round(part);
+                  }}},
+            .alternatives = {{"by the nearest whole number of spokes",
+                              [](double turn, int spokes) -> double {
+                                  const double spoke = 2 * pi / spokes;
+                                  return turn - spoke * std::round(turn / spoke);
+                              }},
+                             {"by sine and cosine",
+                              [](double turn, int spokes) -> double {
+                                  return std::atan2(std::sin(spokes * turn),
+                                                    std::cos(spokes * turn)) /
+                                         spokes;
+                              }}},
+        };
+    }
+#endif
+};
+
+inline const bool seen_turn_entered = enter<SeenTurn>();
+
+}  // namespace nutshell::exercises

@@ -1,0 +1,223 @@
+// Steady spins: how fast points are, what each method loses, what engines lose, what eyes lose.
+#include <nutshell/chart/chart.hpp>
+#include <nutshell/lab/run.hpp>
+#include <nutshell/spinning_limits.hpp>
+#include <nutshell/spinning_scenes.hpp>
+#include "methods.hpp"
+#include "program.hpp"
+
+namespace nutshell {
+
+namespace {
+
+constexpr double degrees = 180 / pi;
+
+/// How much of theta one step leaves out [rad], measured: the mean of many steps.
+template <class Step>
+double measured_lag(const Step& step, double theta, int steps = 50) {
+    SpinningWheel wheel;
+    wheel.rate = theta;  // steps of a second
+    Quaternion q = wheel.start;
+    double turned_by = 0;
+    for (int n = 0; n < steps; ++n) {
+        const Quaternion next = step(q, wheel, n, 1);
+        turned_by += logarithm(product(normalised(next), inverse(normalised(q)))).z();
+        q = next;
+    }
+    return theta - turned_by / steps;
+}
+
+}  // namespace
+
+void velocity(lab::Report& report) {
+    report.heading("Velocity of points");
+    // the printed (37) half a turn later
+    const Vector3 p(1, 0, 0);
+    const Quaternion half = exponential({0, 0, pi});
+    report.number("velocity.true", point_velocity({0, 0, 1}, half, p).y(), "m/s");
+    report.number("velocity.printed", Vector3(0, 0, 1).cross(p).y(), "m/s");
+    // the difference of eqs. (35)-(36)
+    const SpinningWheel wheel = SpinningWheel::s6();
+    for (const double dt : {1e-3, 1e-5}) {
+        const Vector3 now = rotate(wheel.exact(0.3), p), later = rotate(wheel.exact(0.3 + dt), p);
+        const double off =
+            ((later - now) / dt - point_velocity(wheel.omega(), wheel.exact(0.3), p)).norm();
+        report.number("velocity.difference." + lab::rounded(dt), off, "m/s");
+    }
+    const RollingWheel rolling;
+    const Quaternion q = rolling.exact(0.4);
+    const Vector3 lowest = rotate(inverse(q), Vector3(0, -rolling.radius, 0));
+    report.number("rolling.speed", rolling.speed, "m/s");
+    report.number("rolling.contact", rolling.velocity(q, lowest).norm(), "m/s");
+    report.number("rolling.top", rolling.velocity(q, -lowest).norm(), "m/s");
+    report.say("A wheel rolls at " + lab::rounded(rolling.speed) +
+               " m/s: its lowest point moves at " +
+               lab::rounded(rolling.velocity(q, lowest).norm()) + ", its highest at " +
+               lab::rounded(rolling.velocity(q, -lowest).norm()) + " m/s.");
+}
+
+void steady_spin(lab::Report& report) {
+    report.heading("Spinning wheel: 1000 turns about (1, 2, 3), steps of 1/60 s");
+    lab::Table table{{"turns a second", "method", "off at the end [rad]", "turns lost",
+                      "length of q", "ns a step"},
+                     {}};
+    for (const bool fast : {false, true}) {
+        const SpinningWheel wheel = fast ? SpinningWheel::s6_fast() : SpinningWheel::s6();
+        const long steps = lab::steps_of(wheel.duration, 1.0 / 60);
+        const double theta = wheel.rate / 60;
+        const std::string word = fast ? "fast." : "slow.";
+        report.number("wheel." + word + "step", theta * degrees, "degrees");
+        for_each_spin_method([&](const auto& method) {
+            const auto m = lab::measure(wheel, method.step, steps);
+            const double length = lab::run(wheel, method.step, steps).norm();
+            const double time =
+                lab::time_of([&] { lab::keep(lab::run(wheel, method.step, steps)); }) /
+                static_cast<double>(steps) * 1e9;
+            const double lost =
+                static_cast<double>(steps) * measured_lag(method.step, theta) / (2 * pi);
+            table.add({fast ? "20" : "1", method.name, lab::rounded(m.final_error),
+                       lab::rounded(lost), lab::rounded(length), lab::rounded(time)});
+            const std::string key = "wheel." + word + method.key;
+            report.number(key + ".error", m.final_error, "rad");
+            report.number(key + ".largest", m.max_error, "rad");
+            report.number(key + ".lost", lost, "turns");
+            report.number(key + ".length", length);
+            report.number(key + ".ns", time, "ns");
+        });
+        report.number("wheel." + word + "law",
+                      static_cast<double>(steps) * first_order_lag(theta) / (2 * pi), "turns");
+        report.number("wheel." + word + "growth", first_order_growth(theta));
+        report.number("wheel." + word + "lag", first_order_lag(theta) * degrees, "degrees");
+        report.number("wheel." + word + "small_law",
+                      static_cast<double>(steps) * theta * theta * theta / 12, "rad");
+    }
+    report.print(table);
+    // how long q is after ten seconds at one turn a second if nobody divides
+    const SpinningWheel wheel = SpinningWheel::at({1, 2, 3}, 1, 10);
+    const auto undivided = [](const Quaternion& q, const auto& spin, double t, double dt) {
+        return first_order(q, spin, t, dt);
+    };
+    report.number("wheel.undivided", lab::run(wheel, undivided, 600).norm());
+    report.number("wheel.undivided_law", std::pow(first_order_growth(2 * pi / 60), 600));
+
+    chart::Chart chart;
+    chart.title = "What a step of a steady spin leaves out";
+    chart.subtitle = "Marks: measured; dashed: the laws. The exponential leaves out nothing.";
+    chart.x = {"angle of one step, ω dt [rad]", chart::Scale::logarithmic};
+    chart.y = {"angle missing each step [rad]", chart::Scale::logarithmic, 1e-13};
+    chart.cut = true;
+    chart::Series first{"first order, divided"}, rk4{"RK4"}, first_law{"2 atan law"},
+        rk4_law{"RK4's law"};
+    first.look = Look{Family::explicit_one_step, Mark::circle, ""};
+    rk4.look = Look{Family::runge_kutta, Mark::circle, ""};
+    first_law.draw = rk4_law.draw = chart::Draw::theory;
+    double worst = 0;
+    for (double theta = 0.01; theta < 5.6; theta *= 1.4) {
+        const double a = measured_lag([](const Quaternion&q, const auto&spin, double t,
+                                         double dt) { return first_order_unit(q, spin, t, dt); },
+                                      theta),
+                     b = measured_lag([](const Quaternion&q, const auto&spin, double t,
+                                         double dt) { return rk4_pose(q, spin, t, dt); },
+                                      theta);
+        first.x.push_back(theta), first.y.push_back(a);
+        first_law.x.push_back(theta), first_law.y.push_back(first_order_lag(theta));
+        worst = std::max(worst, std::abs(a / first_order_lag(theta) - 1));
+        if (theta > 0.05 && theta < 3) {
+            rk4.x.push_back(theta), rk4.y.push_back(b);
+            rk4_law.x.push_back(theta), rk4_law.y.push_back(rk4_pose_lag(theta));
+        }
+    }
+    chart.series = {first, first_law, rk4, rk4_law};
+    chart.guides = {3, 5};
+    chart.levels_x = {{2 * pi / 60, "1 turn/s"}, {2 * pi / 3, "20 turns/s"}};
+    chart::write_svg(chart, report.path("lag.svg"));
+    report.number("lag.off_the_law", worst);
+
+    const auto stable = [](double theta) {
+        SpinningWheel one;
+        one.rate = theta;
+        return lab::stays_within(
+            one,
+            [](const Quaternion& q, const auto& spin, double t, double dt) {
+                return rk4_pose(q, spin, t, dt);
+            },
+            1, 20000, 1.01, [](const Quaternion& q) { return q.norm(); });
+    };
+    const double limit = lab::stability_limit(stable, 4, 7);
+    report.number("rk4.limit", limit, "rad");
+    report.number("rk4.limit_law", rk4_pose_limit, "rad");
+    report.say("RK4 is stable up to omega dt = " + lab::rounded(limit, "%.4f") +
+               "; 4 sqrt 2 = " + lab::rounded(rk4_pose_limit, "%.4f"));
+}
+
+void engines(lab::Report& report) {
+    report.heading("What engines do: 20 turns a second for 1000 turns, steps of 1/60 s");
+    const SpinningWheel wheel = SpinningWheel::s6_fast();
+    const double dt = 1.0 / 60, theta = wheel.rate * dt;
+    lab::Table table{{"rule", "turns made of 1000"}, {}};
+    chart::Chart chart;
+    chart.title = "How many of 1000 turns are made";
+    chart.subtitle = "20 turns a second, steps of 1/60 s, by the rules that engines use.";
+    chart.x = {"turns made", chart::Scale::linear, 0};
+    const auto rule = [&](const char* name, const char* key, Look look, double made) {
+        chart::Bar bar{name, made};
+        bar.look = look, bar.text = lab::rounded(made, "%.0f");
+        chart.bars.push_back(bar);
+        table.add({name, lab::rounded(made, "%.1f")});
+        report.number(std::string("engines.") + key, made, "turns");
+    };
+    const auto part = [&](const Vector3& omega) { return 1000 * omega.norm() / wheel.rate; };
+    rule("exponential, no clamp", "exponential", Look{Family::exponential, Mark::triangle}, 1000);
+    rule("first order, divided", "first_order", Look{Family::explicit_one_step, Mark::circle},
+         1000 * 2 * std::atan(theta / 2) / theta);
+    rule("clamped to 45° a step", "clamp_step", Look{Family::peer, Mark::square},
+         part(clamped(wheel.omega(), dt, pi / 4)));
+    rule("clamped to 47.1 rad/s", "clamp_speed", Look{Family::peer, Mark::diamond},
+         part(clamped(wheel.omega(), 1, 47.1)));
+    report.print(table);
+    chart::write_svg(chart, report.path("engines.svg"));
+}
+
+void wagon(lab::Report& report) {
+    report.heading("Wagon wheel: eight spokes, 24 pictures a second");
+    const int spokes = 8;
+    const double pictures_a_second = 24;
+    chart::Chart chart;
+    chart.title = "What the film shows of a wheel's speed";
+    chart.subtitle = "Eight equal spokes, 24 pictures a second; dashed: the wheel itself.";
+    chart.x = {"wheel [turns/s]"};
+    chart.y = {"seen [turns/s]"};
+    const auto piece = [&](const char* name) {
+        chart::Series series{name};
+        series.look = Look{Family::implicit, Mark::circle}, series.draw = chart::Draw::line;
+        return series;
+    };
+    chart::Series seen = piece("");
+    double before = 0;
+    for (int i = 0; i <= 1200; ++i) {
+        const double rate = i / 200.0, turn = 2 * pi * rate / pictures_a_second;
+        const double shown = seen_turn(turn, spokes) * pictures_a_second / (2 * pi);
+        if (shown < before - 1) {  // from half a spoke forwards to half a spoke backwards
+            chart.series.push_back(seen);
+            seen = piece("seen");
+        }
+        seen.x.push_back(rate), seen.y.push_back(shown);
+        before = shown;
+    }
+    chart.series.push_back(seen);
+    chart.series.push_back({"", {0, 6}, {0, 6}, chart::Draw::theory});
+    chart::write_svg(chart, report.path("wagon_speed.svg"));
+    report.number("wagon.backwards_from", pictures_a_second / spokes / 2, "turns/s");
+    report.number("wagon.still_at", pictures_a_second / spokes, "turns/s");
+    const double rate = 2.75;
+    report.number("wagon.example", rate, "turns/s");
+    report.number(
+        "wagon.example_seen",
+        seen_turn(2 * pi * rate / pictures_a_second, spokes) * pictures_a_second / (2 * pi),
+        "turns/s");
+    report.say("It turns backwards from " + lab::rounded(pictures_a_second / spokes / 2) +
+               " turns a second on and stands still at " +
+               lab::rounded(pictures_a_second / spokes) + ".");
+}
+
+}  // namespace nutshell
