@@ -5,7 +5,6 @@ using namespace nutshell;
 
 namespace {
 
-const auto printed = SPIN_METHOD(first_order);
 const auto first = SPIN_METHOD(first_order_unit);
 const auto exponential_start = SPIN_METHOD(exponential_map);
 const auto midpoint = SPIN_METHOD(exponential_midpoint);
