@@ -1,8 +1,8 @@
 // Coning: a spin whose axis goes round, where turns do not commute from one step to the next.
 #include <nutshell/chart/chart.hpp>
 #include <nutshell/lab/run.hpp>
+#include <nutshell/spinning_methods.hpp>
 #include <nutshell/spinning_scenes.hpp>
-#include "methods.hpp"
 #include "program.hpp"
 
 namespace nutshell {
@@ -49,14 +49,14 @@ void coning(lab::Report& report) {
     figure.subtitle = "Coning, one round. Down and left is better.";
     chart::Chart by_evaluations, by_time;
     by_evaluations.title = "by times ω is asked for", by_time.title = "by processor time";
-    for_each_spin_method([&](const auto& method) {
+    each(spinning_methods, [&](const auto& method) {
         chart::Series evaluations{method.name}, time{method.name};
         evaluations.look = time.look = method.look;
         std::vector<double> dts, errors;
         for (long steps = 8; steps <= 16384; steps *= 4) {
-            const auto m = lab::measure(scene, method.step, steps);
+            const auto m = lab::measure(scene, method, steps);
             if (m.max_error < 1e-13) break;
-            const double ns = nanoseconds(scene, method.step, steps);
+            const double ns = nanoseconds(scene, method, steps);
             evaluations.x.push_back(static_cast<double>(m.evaluations));
             time.x.push_back(ns / 1000);
             evaluations.y.push_back(m.max_error), time.y.push_back(m.max_error);
@@ -68,9 +68,9 @@ void coning(lab::Report& report) {
         }
         by_evaluations.series.push_back(evaluations), by_time.series.push_back(time);
         const double order = lab::observed_order(dts, errors);
-        const long steps = fewest_steps(scene, method.step, 1'000'000);
-        const double us = nanoseconds(scene, method.step, steps) / 1000;
-        const auto m = lab::measure(scene, method.step, steps);
+        const long steps = fewest_steps(scene, method, 1'000'000);
+        const double us = nanoseconds(scene, method, steps) / 1000;
+        const auto m = lab::measure(scene, method, steps);
         table.add({method.name, lab::rounded(order, "%.2f"), std::to_string(steps),
                    std::to_string(m.evaluations), lab::rounded(us)});
         ranking.rows.push_back({method.name,
@@ -78,7 +78,7 @@ void coning(lab::Report& report) {
                                 {static_cast<double>(m.evaluations), us},
                                 "",
                                 std::to_string(steps) + " steps"});
-        const std::string key = "coning." + method.key;
+        const std::string key = "coning." + method.key();
         report.number(key + ".order", order);
         report.number(key + ".steps", static_cast<double>(steps));
         report.number(key + ".evaluations", static_cast<double>(m.evaluations));
@@ -100,13 +100,7 @@ void coning(lab::Report& report) {
                                        lab::measure(scene, wrong, 400).max_error}));
     report.number("coning.wrong_sign.ratio",
                   lab::measure(scene, wrong, 64).max_error /
-                      lab::measure(
-                          scene,
-                          [](const Quaternion& q, const auto& spin, double t, double dt) {
-                              return magnus4(q, spin, t, dt);
-                          },
-                          64)
-                          .max_error);
+                      lab::measure(scene, methods::magnus4, 64).max_error);
     for (chart::Chart* one : {&by_evaluations, &by_time}) {
         one->y = {"largest error [rad]", chart::Scale::logarithmic};
         one->tolerance = {scene.need.tolerance, "one pixel, arm of 300"};

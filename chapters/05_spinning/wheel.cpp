@@ -2,8 +2,8 @@
 #include <nutshell/chart/chart.hpp>
 #include <nutshell/lab/run.hpp>
 #include <nutshell/spinning_limits.hpp>
+#include <nutshell/spinning_methods.hpp>
 #include <nutshell/spinning_scenes.hpp>
-#include "methods.hpp"
 #include "program.hpp"
 
 namespace nutshell {
@@ -13,11 +13,12 @@ namespace {
 constexpr double degrees = 180 / pi;
 
 /// How much of theta one step leaves out [rad], measured: the mean of many steps.
-template <class Step>
-double measured_lag(const Step& step, double theta, int steps = 50) {
+template <class Method>
+double measured_lag(const Method& method, double theta, int steps = 50) {
     SpinningWheel wheel;
     wheel.rate = theta;  // steps of a second
     Quaternion q = wheel.start;
+    auto step = method.start(wheel);
     double turned_by = 0;
     for (int n = 0; n < steps; ++n) {
         const Quaternion next = step(q, wheel, n, 1);
@@ -67,17 +68,16 @@ void steady_spin(lab::Report& report) {
         const double theta = wheel.rate / 60;
         const std::string word = fast ? "fast." : "slow.";
         report.number("wheel." + word + "step", theta * degrees, "degrees");
-        for_each_spin_method([&](const auto& method) {
-            const auto m = lab::measure(wheel, method.step, steps);
-            const double length = lab::run(wheel, method.step, steps).norm();
-            const double time =
-                lab::time_of([&] { lab::keep(lab::run(wheel, method.step, steps)); }) /
-                static_cast<double>(steps) * 1e9;
+        each(spinning_methods, [&](const auto& method) {
+            const auto m = lab::measure(wheel, method, steps);
+            const double length = lab::run(wheel, method, steps).norm();
+            const double time = lab::time_of([&] { lab::keep(lab::run(wheel, method, steps)); }) /
+                                static_cast<double>(steps) * 1e9;
             const double lost =
-                static_cast<double>(steps) * measured_lag(method.step, theta) / (2 * pi);
+                static_cast<double>(steps) * measured_lag(method, theta) / (2 * pi);
             table.add({fast ? "20" : "1", method.name, lab::rounded(m.final_error),
                        lab::rounded(lost), lab::rounded(length), lab::rounded(time)});
-            const std::string key = "wheel." + word + method.key;
+            const std::string key = "wheel." + word + method.key();
             report.number(key + ".error", m.final_error, "rad");
             report.number(key + ".largest", m.max_error, "rad");
             report.number(key + ".lost", lost, "turns");
@@ -108,17 +108,13 @@ void steady_spin(lab::Report& report) {
     chart.cut = true;
     chart::Series first{"first order, divided"}, rk4{"RK4"}, first_law{"2 atan law"},
         rk4_law{"RK4's law"};
-    first.look = Look{Family::explicit_one_step, Mark::circle, ""};
-    rk4.look = Look{Family::runge_kutta, Mark::circle, ""};
+    first.look = methods::first_order_unit.look;
+    rk4.look = methods::rk4_pose.look;
     first_law.draw = rk4_law.draw = chart::Draw::theory;
     double worst = 0;
     for (double theta = 0.01; theta < 5.6; theta *= 1.4) {
-        const double a = measured_lag([](const Quaternion&q, const auto&spin, double t,
-                                         double dt) { return first_order_unit(q, spin, t, dt); },
-                                      theta),
-                     b = measured_lag([](const Quaternion&q, const auto&spin, double t,
-                                         double dt) { return rk4_pose(q, spin, t, dt); },
-                                      theta);
+        const double a = measured_lag(methods::first_order_unit, theta),
+                     b = measured_lag(methods::rk4_pose, theta);
         first.x.push_back(theta), first.y.push_back(a);
         first_law.x.push_back(theta), first_law.y.push_back(first_order_lag(theta));
         worst = std::max(worst, std::abs(a / first_order_lag(theta) - 1));
