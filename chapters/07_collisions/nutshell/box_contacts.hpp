@@ -173,8 +173,9 @@ inline void edge_contact(const BoxPair& pair, const Apart& apart, std::vector<Co
 
 // [box_contacts]
 /// All contacts of two boxes with a gap below `margin` [m], added to `found`.
-inline void find_contacts(const Box& box_a, const Body& a, const Box& box_b, const Body& b,
-                          double margin, std::vector<Contact>& found) {
+[[gnu::flatten]] inline void find_contacts(const Box& box_a, const Body& a, const Box& box_b,
+                                           const Body& b, double margin,
+                                           std::vector<Contact>& found) {
     const double near = reach(box_a) + reach(box_b) + margin;
     if ((b.position - a.position).squaredNorm() >= near * near) return;
     const BoxPair pair{box_a.half,

@@ -40,14 +40,16 @@ struct PressedContact {
 // [/pressed]
 
 // [masses]
-/// The largest that the mobility K is in the plane across n: the root of a quadratic equation. An
-/// impulse of the velocity over it, against the velocity, never overshoots, whatever its
-/// direction: friction without axes of its own.
-inline double largest_across(const Matrix3& K, const Vector3& n) {
-    const Vector3 Kn = K * n;
-    const double nn = n.dot(Kn), trace = K.trace() - nn;
-    const double squares = K.squaredNorm() - 2 * Kn.squaredNorm() + nn * nn;
-    return trace / 2 + std::sqrt(std::max(0.0, squares / 2 - trace * trace / 4));
+/// What one body's part of a contact adds to its mobility [1/kg]: along the normal, eq. (7.d), and
+/// in all three directions together (the trace of K).
+struct Gains {
+    double normal = 0, all = 0;
+};
+inline void add_gains(Gains& gains, const Mobility& of, const Vector3& lever, const Vector3& n) {
+    const Matrix3& W = of.inverse_inertia;
+    const Vector3 turn = lever.cross(n);
+    gains.normal += of.inverse_mass + turn.dot(W * turn);
+    gains.all += 3 * of.inverse_mass + lever.squaredNorm() * W.trace() - lever.dot(W * lever);
 }
 
 /// Fixes a contact's points to its bodies, and asks both how they answer.
@@ -58,10 +60,10 @@ inline void prepare(PressedContact& c, const Contact& found, const Body& a, cons
     const Vector3 half_gap = found.separation / 2 * found.normal;
     c.anchor_a = rotate(inverse(a.orientation), c.lever_a - half_gap - c.radius_a * c.normal);
     c.anchor_b = rotate(inverse(b.orientation), c.lever_b + half_gap + c.radius_b * c.normal);
-    const Matrix3 K = mobility(of_a.inverse_mass, of_a.inverse_inertia, c.lever_a) +
-                      mobility(of_b.inverse_mass, of_b.inverse_inertia, c.lever_b);
-    c.normal_mass = 1 / c.normal.dot(K * c.normal);
-    c.friction_mass = 1 / largest_across(K, c.normal);
+    Gains gains;
+    add_gains(gains, of_a, c.lever_a, c.normal), add_gains(gains, of_b, c.lever_b, c.normal);
+    c.normal_mass = 1 / gains.normal;
+    c.friction_mass = 2 / (gains.all - gains.normal);  // over the mean of all directions across n
 }
 
 /// Where the contact is after the bodies have moved: in the middle between its two points.

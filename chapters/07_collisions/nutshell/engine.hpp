@@ -25,7 +25,7 @@ struct World {
 // [switches]
 /// What the engine does; each idea is a switch.
 struct Switches {
-    int sub_steps = 4;
+    int sub_steps = 4;       ///< of one step
     int passes = 1;          ///< round all contacts, in each sub-step
     int relaxing = 1;        ///< passes after the drift, which take out the speed of pushing out
     bool warm_start = true;  ///< begin with the impulses of the last sub-step
@@ -55,11 +55,10 @@ class Engine {
             for (Body& body : world.bodies)
                 if (body.mass < immovable) kick(body, weight(body, world), h);
             start_contacts(world);
-            for (int pass = 0; pass < on.passes; ++pass) press_all(world, push);
-            for (Body& body : world.bodies)
-                if (body.mass < immovable) drift(body, h);
-            follow_all(world);
-            for (int pass = 0; pass < on.relaxing; ++pass) press_all(world, relax);
+            for (int pass = 0; pass < on.passes; ++pass) press_all(world, push, false);
+            drift_all(world, h);
+            for (int pass = 0; pass < on.relaxing; ++pass) press_all(world, relax, pass == 0);
+            if (on.relaxing == 0) follow_all(world);
         }
     }
     /// The contacts of the last step.
@@ -84,34 +83,42 @@ class Engine {
     }
     Mobility& mobility_at(int i) { return mobility_[static_cast<std::size_t>(i + 1)]; }
 
-    template <class Visit>
-    void each_contact(World& world, const Visit& visit) {
-        for (PressedContact& c : contacts_)
-            visit(c, body_of(world, c.a), body_of(world, c.b), mobility_at(c.a),
-                  mobility_at(c.b));
+    /// One pass: every contact's turn, from the top of the room down to the floor, so that each
+    /// layer knows what it carries when its turn comes. (The walls' contacts were found first, and
+    /// the grid counts its layers from below.)
+    void press_all(World& world, const Press& want, bool moved) {
+        for (std::size_t i = contacts_.size(); i-- > 0;) {
+            PressedContact& c = contacts_[i];
+            Body &a = body_of(world, c.a), &b = body_of(world, c.b);
+            if (moved) follow(c, a, b);
+            press(c, a, b, mobility_at(c.a), mobility_at(c.b), want);
+        }
     }
-    void press_all(World& world, const Press& want) {
-        each_contact(world, [&](PressedContact& c, Body& a, Body& b, const Mobility& of_a,
-                                const Mobility& of_b) { press(c, a, b, of_a, of_b, want); });
-    }
+    /// Every contact begins a sub-step with the impulse of the last one, or without.
     void start_contacts(World& world) {
-        each_contact(world, [&](PressedContact& c, Body& a, Body& b, const Mobility& of_a,
-                                const Mobility& of_b) {
+        for (PressedContact& c : contacts_) {
+            Body &a = body_of(world, c.a), &b = body_of(world, c.b);
             if (world.surface.restitution > 0)
-                c.closing = c.normal.dot(contact_velocity(c, a, b, of_a, of_b));
+                c.closing =
+                    c.normal.dot(contact_velocity(c, a, b, mobility_at(c.a), mobility_at(c.b)));
+        }
+        for (PressedContact& c : contacts_) {
             if (!on.warm_start) c.normal_impulse = 0, c.friction.setZero();
-        });
-        if (!on.warm_start) return;
-        each_contact(world,
-                     [](PressedContact& c, Body& a, Body& b, const Mobility&, const Mobility&) {
-                         apply_impulse(c, a, b, c.normal_impulse * c.normal + c.friction);
-                     });
+            if (c.normal_impulse == 0) continue;
+            apply_impulse(c, body_of(world, c.a), body_of(world, c.b),
+                          c.normal_impulse * c.normal + c.friction);
+        }
     }
     void follow_all(World& world) {
-        for (std::size_t i = 0; i < world.bodies.size(); ++i)
-            mobility_[i + 1] = mobility_of(world.bodies[i]);
-        each_contact(world, [](PressedContact& c, Body& a, Body& b, const Mobility&,
-                               const Mobility&) { follow(c, a, b); });
+        for (PressedContact& c : contacts_) follow(c, body_of(world, c.a), body_of(world, c.b));
+    }
+    void drift_all(World& world, double h) {
+        for (std::size_t i = 0; i < world.bodies.size(); ++i) {
+            Body& body = world.bodies[i];
+            if (body.mass == immovable) continue;
+            drift(body, h);
+            mobility_[i + 1] = mobility_of(body);
+        }
     }
 
     void find_contacts_of(World& world, double dt) {
@@ -165,7 +172,7 @@ class Engine {
     }
     void keep(World& world, int a, int b) {
         for (const Contact& found : found_) {
-            PressedContact c{};
+            PressedContact& c = contacts_.emplace_back();
             c.a = a, c.b = b;
             const Shape& shape_b = world.shapes[static_cast<std::size_t>(b)];
             c.radius_b = skin(shape_b);
@@ -178,7 +185,6 @@ class Engine {
             prepare(c, found, body_of(world, a), body_of(world, b), mobility_at(a),
                     mobility_at(b));
             if (on.warm_start) memory_.recall(c);
-            contacts_.push_back(c);
         }
     }
 };
