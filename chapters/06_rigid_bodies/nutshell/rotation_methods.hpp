@@ -96,9 +96,6 @@ struct DriftKick {
     }
 };
 
-using PrintedStep = DriftKick<printed_rotation>;     ///< the step as printed
-using CorrectedStep = DriftKick<explicit_rotation>;  ///< and with eqs. (53*) and (56*)
-using MagnusVerlet = KickFreeKick<magnus_rotation>;
 // [/kick_free_kick]
 
 // [engine_step]
