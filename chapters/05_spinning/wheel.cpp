@@ -51,6 +51,14 @@ void velocity(lab::Report& report) {
     report.number("rolling.speed", rolling.speed, "m/s");
     report.number("rolling.contact", rolling.velocity(q, lowest).norm(), "m/s");
     report.number("rolling.top", rolling.velocity(q, -lowest).norm(), "m/s");
+    long steps = 1;
+    while (lab::measure(rolling, methods::first_order_unit, steps).max_error >
+           rolling.need.tolerance)
+        ++steps;
+    report.number("rolling.need", rolling.need.tolerance, "m");
+    report.number("rolling.first_order_steps", static_cast<double>(steps));
+    require(lab::measure(rolling, methods::exponential_map, 1).max_error < rolling.need.tolerance,
+            "one step of the exponential does not meet the rolling wheel's need");
     report.say("A wheel rolls at " + lab::rounded(rolling.speed) +
                " m/s: its lowest point moves at " +
                lab::rounded(rolling.velocity(q, lowest).norm()) + ", its highest at " +
@@ -205,6 +213,7 @@ void wagon(lab::Report& report) {
     chart::write_svg(chart, report.path("wagon_speed.svg"));
     report.number("wagon.backwards_from", pictures_a_second / spokes / 2, "turns/s");
     report.number("wagon.still_at", pictures_a_second / spokes, "turns/s");
+    report.number("wagon.pictures", 2 * spokes * 6.0);  // two a spoke, at 6 turns a second
     const double rate = 2.75;
     report.number("wagon.example", rate, "turns/s");
     report.number(
