@@ -170,3 +170,22 @@ TEST_CASE("The text of a mesh reads back as the mesh, and a mesh far from the or
     CHECK((there.inertia - here.inertia).norm() <
           200 * epsilon * here.inertia.norm());  // vertices are 10/0.3 coarser
 }
+
+TEST_CASE(
+    "The meshes in assets/ are what the project's program writes, and bodies with the mass of their boxes") {
+    for (const auto& [name, mesh] : course_meshes()) {
+        const std::string path = std::string(PROJECT_DIR) + "/assets/" + name + ".obj";
+        INFO(path << ": cmake --build build/default --target meshes");
+        std::ifstream file(path, std::ios::binary);
+        const std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+        CHECK(text == obj_text(mesh, mesh_comment(name)));
+    }
+    const auto read = [](const char* name, double density) {
+        return mass_properties(load_obj(std::string(PROJECT_DIR) + "/assets/" + name + ".obj"), density);
+    };
+    CHECK(read("t_handle", 1000).mass == Approx(by_boxes(t_handle()).mass).epsilon(1e-14));
+    CHECK(read("dumbbell", 1000).inertia.isApprox(by_boxes(dumbbell()).inertia, 1e-14));
+    const MassProperties both =
+        assemble(std::vector<Part>{{read("hammer_shaft", 700)}, {read("hammer_head", 7800)}});
+    CHECK(both.inertia.isApprox(by_boxes(hammer()).inertia, 1e-14));
+}

@@ -107,6 +107,28 @@ inline std::vector<Block> t_handle() {
 }
 // [/three_things]
 
+/// One mesh of blocks.
+inline Mesh mesh_of(const std::vector<Block>& blocks) {
+    Mesh mesh;
+    for (const Block& b : blocks)
+        mesh = merged(mesh, placed(box_mesh(b.size), b.rotation, b.place));
+    return mesh;
+}
+
+/// The meshes in assets/: name and mesh, each of one material.
+inline std::vector<std::pair<std::string, Mesh>> course_meshes() {
+    const std::vector<Block> parts = hammer();
+    return {{"dumbbell", mesh_of(dumbbell())},
+            {"hammer_head", mesh_of({parts[1]})},
+            {"hammer_shaft", mesh_of({parts[0]})},
+            {"t_handle", mesh_of(t_handle())}};
+}
+
+/// The first line of such a file.
+inline std::string mesh_comment(const std::string& name) {
+    return name + ", metres, made by assets/make_meshes.cpp; licence: LICENSE";
+}
+
 // [three_ways]
 /// Of blocks, by the formula of a box for each. Exact.
 inline MassProperties by_boxes(const std::vector<Block>& blocks) {
