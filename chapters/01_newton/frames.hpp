@@ -48,24 +48,38 @@ struct Shown {
     Vector3 fixed;      ///< fixed steps, drawn between the last two: one step behind the clock
 };
 
-/// Plays the throw with semi-implicit Euler on a machine, and calls look(shown) for every frame.
+/// The throw in both loops, with semi-implicit Euler, frame by frame.
+class Player {
+  public:
+    /// A frame of so many seconds.
+    Shown frame(double seconds) {
+        following_ = semi_implicit_euler(following_, scene_, time_, seconds);
+        time_ += seconds;
+        for (int due = steps_due(clock_, seconds); due > 0; --due) {
+            previous_ = newest_;
+            newest_ = semi_implicit_euler(newest_, scene_, simulated_, fixed_step);
+            simulated_ += fixed_step;
+        }
+        return shown();
+    }
+    Shown shown() const {
+        return {time_, following_.position, drawn_position(clock_, previous_, newest_)};
+    }
+
+  private:
+    ThrownBall scene_;
+    PointMass following_ = scene_.start, previous_ = scene_.start, newest_ = scene_.start;
+    GameClock clock_{fixed_step};
+    double time_ = 0, simulated_ = 0;
+};
+
+/// Plays the throw on a machine, and calls look(shown) for every frame.
 template <class Look>
 void play(const Machine& machine, const Look& look) {
-    const ThrownBall scene;
-    PointMass following = scene.start, previous = scene.start, newest = scene.start;
-    GameClock clock{fixed_step};
-    double t = 0, simulated = 0;
-    look(Shown{t, scene.start.position, scene.start.position});
-    for (const double frame : frame_times(machine, scene.duration)) {
-        following = semi_implicit_euler(following, scene, t, frame);
-        t += frame;
-        for (int due = steps_due(clock, frame); due > 0; --due) {
-            previous = newest;
-            newest = semi_implicit_euler(newest, scene, simulated, fixed_step);
-            simulated += fixed_step;
-        }
-        look(Shown{t, following.position, drawn_position(clock, previous, newest)});
-    }
+    Player player;
+    look(player.shown());
+    for (const double frame : frame_times(machine, ThrownBall{}.duration))
+        look(player.frame(frame));
 }
 
 }  // namespace nutshell

@@ -1,11 +1,9 @@
 // The pictures of chapter 1, and the book's cover.
-#include <nutshell/game_loop.hpp>
 #include <nutshell/lab/run.hpp>
 #include <nutshell/live/stills.hpp>
 #include <nutshell/newton_methods.hpp>
 #include <nutshell/newton_scenes.hpp>
 #include <nutshell/picture/picture.hpp>
-#include "frames.hpp"
 #include "program.hpp"
 
 namespace nutshell {
@@ -60,83 +58,6 @@ void straight_line_picture(lab::Report& report) {
     });
 }
 
-void throw_picture(lab::Report& report) {
-    const ThrownBall scene;
-    const long steps = 12;
-    const double dt = scene.duration / steps;
-    const pic::Note note{
-        report.command(),
-        "thrown ball",
-        "Euler",
-        lab::rounded(dt) + " s",
-        {{"height above the exact path at the end",
-          (lab::run(scene, methods::euler, steps).position - scene.exact(scene.duration).position)
-              .y(),
-          "m"}}};
-    pic::save(report.path("throw.png"), note, [&]() -> pic::Sheet {
-        pic::Drawing drawing;
-        pic::add(drawing, pic::Stroboscope{.computed = path(scene, methods::euler, steps),
-                                           .exact = exact_path(scene, steps),
-                                           .exact_path = exact_path(scene, 100),
-                                           .radius = 0.45,
-                                           .colour = pic::palette::explicit_euler});
-        drawing.ground({.height = -0.45, .spacing = 5});
-        drawing.title("Euler's ball flies too high")
-            .caption("solid: Euler, one step every 0.25 s.  ghost: exact");
-        return pic::Shot{drawing, pic::fit(drawing, {0.12, 0.18, 1})};
-    });
-}
-
-/// The last part of the throw on five machines: with a step that follows the frame, or with fixed
-/// steps and drawing between them.
-pic::Drawing landings(bool fixed_step) {
-    const ThrownBall scene;
-    const double from = 2.85;  // [s]
-    pic::Drawing drawing;
-    drawing.ground({.height = -1.1, .spacing = 1});
-    Path exact;
-    for (double t = from; t <= scene.duration; t += 0.005)
-        exact.push_back(scene.exact(t).position);
-    drawing.add(pic::Trail{.points = exact,
-                           .colour = pic::palette::ink,
-                           .dashed = true,
-                           .width = 3,
-                           .shadow = false});
-    for (const Machine& machine : machines()) {
-        Path points;
-        play(machine, [&](const Shown& shown) {
-            if (shown.time >= from) points.push_back(fixed_step ? shown.fixed : shown.following);
-        });
-        drawing.add(pic::Trail{.points = points, .colour = pic::palette::symplectic, .width = 3});
-        drawing.add(pic::Ball{
-            .centre = points.back(), .radius = 0.06, .colour = pic::palette::symplectic});
-        const double side =
-            machine.ragged > 0 ? -0.42 : 0.12;  // beside its ball, off the neighbour's
-        if (!fixed_step)
-            drawing.add(
-                pic::Label{.at = points.back() + Vector3(side, 0, 0), .text = machine.label});
-    }
-    if (fixed_step)
-        drawing.add(pic::Label{.at = scene.exact(scene.duration).position + Vector3(0.12, 0, 0),
-                               .text = "all five"});
-    return drawing;
-}
-
-void game_loop_picture(lab::Report& report) {
-    const pic::Note note{report.command(),
-                         "the end of a throw, on five machines",
-                         "semi-implicit Euler",
-                         "the frame's, or fixed 1/120 s",
-                         {}};
-    pic::save(report.path("game_loop.png"), note, [&]() -> pic::Sheet {
-        const pic::Size half{640, 560};
-        pic::Drawing left = landings(false), right = landings(true);
-        const pic::Camera camera = pic::fit(left, {0.1, 0.12, 1}, half);
-        left.title("step follows the frame"), right.title("fixed step, drawn between");
-        return {{{left, camera, half}, {right, camera, half}}};
-    });
-}
-
 void cover(lab::Report& report) {
     const long steps_an_orbit = 80;
     const double orbits_drawn = 26;
@@ -169,9 +90,7 @@ void cover(lab::Report& report) {
 
 void pictures(lab::Report& report) {
     straight_line_picture(report);
-    throw_picture(report);
     live::draw_stills(report);
-    game_loop_picture(report);
     cover(report);
 }
 

@@ -329,20 +329,6 @@ void hang_a_cloth(lab::Report& report) {
     report.say("Verlet at 0.99 of its limit strays " + lab::rounded(farthest(below, net.start)) +
                " m in " + std::to_string(same) + " steps, at 1.01 " +
                lab::rounded(farthest(above, net.start)) + " m in " + std::to_string(steps));
-    const std::string after = std::to_string(steps) + " steps";
-    pic::save(
-        report.path("cloth_limit.png"),
-        {report.command(),
-         "the same cloth, from rest, without drag",
-         "Verlet",
-         lab::rounded(0.99 * mode, "%.6g s") + " and " + lab::rounded(1.01 * mode, "%.6g s"),
-         {{"steps", double(steps), ""},
-          {"strays at 0.99", farthest(below, net.start), "m"},
-          {"strays at 1.01", farthest(above, net.start), "m"}}},
-        [&]() -> pic::Sheet {
-            return {{draw_cloth(net, below, {560, 540}, "0.99 of the limit, " + after, ""),
-                     draw_cloth(net, above, {560, 540}, "1.01 of the limit, " + after, "")}};
-        });
 }
 
 }  // namespace

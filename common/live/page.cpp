@@ -2,7 +2,6 @@
 // of the imports.
 #include <cmath>
 #include <cstdio>
-#include <cstring>
 
 #include "nutshell/live/figure.hpp"
 #include "studio.hpp"
@@ -225,17 +224,10 @@ void EXPORT(numbers)() {
         "}");
 }
 
-/// FNV-1a over the bits of the physics' state.
-void EXPORT(bits)() {
-    std::uint64_t hash = 1469598103934665603U;
-    for (const double x : page->figure->state()) {
-        unsigned char bytes[8];
-        std::memcpy(bytes, &x, 8);
-        for (const unsigned char b : bytes) hash = (hash ^ b) * 1099511628211U;
-    }
-    char text[20];
-    std::snprintf(text, sizeof text, "\"%016llx\"", static_cast<unsigned long long>(hash));
-    say(text);
+/// Every number of the physics, and how far they may be from the native program's.
+void EXPORT(state)() {
+    say("{\"tolerance\":" + json(page->figure->page_tolerance()) +
+        ",\"state\":" + json(page->figure->state()) + "}");
 }
 
 void EXPORT(turn)(double right, double up, double nearer) {
@@ -256,7 +248,7 @@ void EXPORT(release)() {
 /// own, less than `width` where drawing is slow  @param samples of one pixel along each side
 void EXPORT(draw)(int width, int height, int drawn_width, int samples, int dark, int with_words) {
     page->size = {width, height};
-    const double part = page->between ? page->owed / page->figure->step_size() : 1;
+    const double part = page->between ? page->owed / page->figure->step_size() : 1;  // of the last step
     pic::Drawing drawing = page->figure->drawing(std::min(part, 1.0));
     drawing.theme(dark ? pic::Theme::dark : pic::Theme::light);
     const pic::Camera from = camera();

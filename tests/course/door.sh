@@ -174,7 +174,7 @@ case_old_tools() {
 }
 case_doctor() {
     course doctor && ends_with 0 && is_silent && says "Everything needed is here."
-    for name in c++ cmake ninja pkg-config Eigen Catch2 OpenGL stb pandoc node KaTeX Lato ccache clang chromium; do
+    for name in c++ cmake ninja pkg-config Eigen Catch2 OpenGL stb pandoc node KaTeX Lato ccache WebAssembly chromium; do
         [ "$(grep -c "^$name  *[^ ]" "$work/said")" = 1 ] || fail "no row for $name"
     done
     hide chromium

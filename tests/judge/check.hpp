@@ -32,6 +32,22 @@ int verb_check(const Rooms& rooms, const std::string& which, const std::string& 
 /// exit code
 int verb_mine(const Rooms& rooms, const std::string& which, const std::filesystem::path& out);
 
+/// What a folder's files are like now: it changes when one is saved.
+std::string state_of(const std::filesystem::path& folder);
+
+/// The chapter that `run --mine` or `live --mine` names. @throws std::invalid_argument for anything else
+Chapter chapter_of(const Rooms& rooms, const std::string& verb, const std::string& which);
+/// Tries the answers under the judge's limits, then puts the learner's headers, the reference's bodies where there is no
+/// answer, where the chapter finds them first. The caller holds the lock of CONFIG_MINE.
+/// @throws std::runtime_error with the sentence if an answer does not compile, crash or end
+void stock_mine(const Rooms& rooms, const Chapter& chapter);
+/// Builds a target on them. @throws std::runtime_error with the compiler's words about the learner's line
+void build_mine(const Rooms& rooms, const Chapter& chapter, const std::string& target);
+/// ./course live N --mine: a copy of the book in `out`, its moving figures on the learner's answers, made again on every save.
+/// @param once  for tests: once, without waiting for a save
+int verb_live(const Rooms& rooms, const std::string& which, const std::filesystem::path& book,
+              const std::filesystem::path& out, bool once);
+
 /// The chapters meant by "", "1", "01_newton" or "1.3". @throws std::invalid_argument that says what there is
 std::vector<Chapter> meant(const Rooms& rooms, const std::string& which);
 

@@ -14,7 +14,7 @@ namespace {
 constexpr const char* usage =
     "usage: judge VERB [N[.M]] [--answers DIR]\n"
     "  start | check [N[.M]] [--junit FILE] | hint N.M | solution N.M [--give-up] | reset N.M | watch "
-    "[N[.M]] | run N --mine\n";
+    "[N[.M]] | run N --mine | live N --mine [--once]\n";
 
 struct Arguments {
     std::string verb, which;
@@ -25,9 +25,10 @@ Arguments parse(int argc, char** argv) {
     Arguments arguments;
     for (int i = 1; i < argc; ++i) {
         const std::string word = argv[i];
-        if (word == "--give-up" || word == "--mine") {
+        if (word == "--give-up" || word == "--mine" || word == "--once") {
             arguments.options[word] = "yes";
-        } else if (word == "--junit" || word == "--answers" || word == "--work" || word == "--out") {
+        } else if (word == "--junit" || word == "--answers" || word == "--work" || word == "--out" ||
+                   word == "--book") {
             if (i + 1 >= argc) throw std::invalid_argument(word + " needs a name after it");
             arguments.options[word] = argv[++i];
         } else if (word.rfind("--", 0) == 0) {
@@ -70,6 +71,11 @@ int act(const Arguments& arguments) {
     };
     if (verb == "check") return verb_check(rooms, arguments.which, option("--junit", ""));
     if (verb == "watch") verb_watch(rooms, arguments.which);
+    if (verb == "live")
+        return begun(),
+               verb_live(rooms, arguments.which, option("--book", (rooms.course / "out/book").string()),
+                         option("--out", (rooms.course / "out/mine/book").string()),
+                         !option("--once", "").empty());
     if (verb == "run" && !option("--mine", "").empty())
         return begun(), verb_mine(rooms, arguments.which, option("--out", ""));
     if (verb == "start")

@@ -51,12 +51,7 @@ std::string engine(const fs::path& own_file, const std::string& own_text, const 
 
 }  // namespace
 
-int verb_mine(const Rooms& rooms, const std::string& which, const fs::path& wanted_out) {
-    const auto chosen = meant(rooms, which);
-    if (which.empty() || number_of(which))
-        throw std::invalid_argument("run --mine needs a chapter, such as ./course run 1 --mine");
-    const Chapter& chapter = chosen.front();
-    const fs::path out = wanted_out.empty() ? rooms.course / "out/mine" / chapter.folder : wanted_out;
+void stock_mine(const Rooms& rooms, const Chapter& chapter) {
     const fs::path answers = rooms.answers / chapter.folder;
     if (!fs::exists(answers))
         throw std::runtime_error("there is no " + named(rooms, answers) + " yet: ./course start makes it");
@@ -71,7 +66,6 @@ int verb_mine(const Rooms& rooms, const std::string& which, const fs::path& want
             wrong += (wrong.empty() ? "" : ", ") + verdict.number.text() + " (" + verdict.name + ")";
     }
 
-    const Lock lock(CONFIG_MINE);
     for (const Chapter& each : chapters_of(rooms)) {
         if (each.number > chapter.number) continue;
         Stock stock;
@@ -101,18 +95,33 @@ int verb_mine(const Rooms& rooms, const std::string& which, const fs::path& want
     }
     if (!wrong.empty()) std::cout << "Not right yet, so look at what it does: " << wrong << '\n';
     std::cout << "Compiling chapter " << chapter.number << " on it ...\n" << std::flush;
+}
 
-    const std::string target = "mine_" + chapter.folder;
+void build_mine(const Rooms& rooms, const Chapter& chapter, const std::string& target) {
     const Ran built = run({CONFIG_CMAKE, "--build", CONFIG_BUILD, "--target", target},
                           {.wall_seconds = 1800, .printed = 1 << 20});
-    if (built.exit_code != 0) {
-        const CompileProblem problem =
-            Sheets(rooms, chapter).explain(built.out + built.err, chapter.exercises);
-        throw std::runtime_error(
-            "chapter " + std::to_string(chapter.number) +
-            " does not compile on your answers: " + (problem.where.empty() ? "" : problem.where + ": ") +
-            problem.message + "\n  The compiler says: " + problem.compiler);
-    }
+    if (built.exit_code == 0) return;
+    const CompileProblem problem = Sheets(rooms, chapter).explain(built.out + built.err, chapter.exercises);
+    throw std::runtime_error(
+        "chapter " + std::to_string(chapter.number) +
+        " does not compile on your answers: " + (problem.where.empty() ? "" : problem.where + ": ") +
+        problem.message + "\n  The compiler says: " + problem.compiler);
+}
+
+Chapter chapter_of(const Rooms& rooms, const std::string& verb, const std::string& which) {
+    const auto chosen = meant(rooms, which);
+    if (which.empty() || number_of(which))
+        throw std::invalid_argument(verb + " --mine needs a chapter, such as ./course " + verb + " 1 --mine");
+    return chosen.front();
+}
+
+int verb_mine(const Rooms& rooms, const std::string& which, const fs::path& wanted_out) {
+    const Chapter chapter = chapter_of(rooms, "run", which);
+    const fs::path out = wanted_out.empty() ? rooms.course / "out/mine" / chapter.folder : wanted_out;
+    const Lock lock(CONFIG_MINE);
+    stock_mine(rooms, chapter);
+    const std::string target = "mine_" + chapter.folder;
+    build_mine(rooms, chapter, target);
     const Ran ran = run({(fs::path(CONFIG_BIN) / target).string(), "--out", out.string()},
                         {.wall_seconds = 600, .printed = 1 << 20});
     std::cout << ran.out << std::flush;

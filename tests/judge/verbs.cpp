@@ -191,8 +191,6 @@ int verb_check(const Rooms& rooms, const std::string& which, const std::string& 
     return passed == count ? 0 : 1;
 }
 
-namespace {
-
 std::string state_of(const fs::path& folder) {
     std::ostringstream state;
     std::error_code problem;
@@ -203,8 +201,6 @@ std::string state_of(const fs::path& folder) {
                   << at->file_size(problem) << '\n';
     return state.str();
 }
-
-}  // namespace
 
 void verb_watch(const Rooms& rooms, const std::string& which) {
     for (int file = 3; file < 64; ++file)

@@ -1,5 +1,6 @@
 // The planet of chapter 1: one orbit after another, by each of the three methods.
-#include <nutshell/live/figure.hpp>
+#include <nutshell/live/run.hpp>
+#include <nutshell/newton_methods.hpp>
 #include <nutshell/newton_scenes.hpp>
 
 namespace nutshell {
@@ -11,9 +12,7 @@ namespace {
 class LivePlanet : public live::Figure {
   public:
     std::vector<live::Choice> choices() const override {
-        return {{"euler", "Euler", {Family::explicit_one_step}},
-                {"semi_implicit_euler", "semi-implicit Euler", {Family::symplectic}},
-                {"verlet", "Verlet", {Family::symplectic}}};
+        return live::choices_of(newton_methods);
     }
     std::vector<live::Slider> sliders() const override {
         return {{.name = "steps a year", .least = 20, .most = 2000, .start = 100}};
@@ -34,24 +33,21 @@ class LivePlanet : public live::Figure {
         steps_a_year_ = std::round(setting.values.at(0));
         require_positive(steps_a_year_, "steps a year");
         method_ = setting.choice;
-        previous_ = newest_ = scene_.start;
+        run_ = live::Run<PointMass>(newton_methods, method_, scene_);
         trail_ = {scene_.start.position};
         low_ = {-1.6, -0.8, 0}, high_ = {0.4, 0.8, 0};  // of the ellipse
-        farthest_ = 0, steps_ = 0;
+        farthest_ = 0;
     }
-    double time() const override { return static_cast<double>(steps_) * step_size(); }
+    double time() const override { return run_.time; }
     double step_size() const override { return 2 * pi / steps_a_year_; }
     double pace() const override { return 2 * pi / 6; }  // a year in six seconds
     void step() override {
-        previous_ = newest_;
-        newest_ = method_ == 0   ? euler(newest_, scene_, time(), step_size())
-                  : method_ == 1 ? semi_implicit_euler(newest_, scene_, time(), step_size())
-                                 : verlet(newest_, scene_, time(), step_size());
+        run_.step(step_size());
         const auto every = static_cast<long>(std::ceil(steps_a_year_ / 200));
-        if (++steps_ % every == 0) trail_.push_back(newest_.position);
+        if (run_.steps % every == 0) trail_.push_back(run_.newest.position);
         if (trail_.size() > 5000) trail_.erase(trail_.begin(), trail_.begin() + 1000);
-        farthest_ = std::max(farthest_, newest_.position.norm());
-        low_ = low_.cwiseMin(newest_.position), high_ = high_.cwiseMax(newest_.position);
+        farthest_ = std::max(farthest_, run_.newest.position.norm());
+        low_ = low_.cwiseMin(run_.newest.position), high_ = high_.cwiseMax(run_.newest.position);
     }
     std::string ended() const override {
         if (farthest_ < 8) return {};
@@ -63,7 +59,7 @@ class LivePlanet : public live::Figure {
     pic::Drawing drawing(double part) const override {
         const pic::Colour colour =
             method_ == 0 ? pic::palette::explicit_euler : pic::palette::symplectic;
-        const Vector3 here = previous_.position + part * (newest_.position - previous_.position);
+        const Vector3 here = run_.position(part);
         const double shown = std::max(0.0, time() - (1 - part) * step_size());
         pic::Drawing drawing;
         drawing.stage({{-0.6, 0, 0}, std::max(1.3, farthest_)});
@@ -96,12 +92,13 @@ class LivePlanet : public live::Figure {
     std::vector<live::Number> numbers() const override {
         const double start = scene_.energy(scene_.start);
         using Trace = live::Number::Trace;
-        return {{"time", years(), "years"},
-                {"energy", 100 * (scene_.energy(newest_) - start) / -start, "%", Trace::linear},
-                {"error", scene_.error(newest_, time()), "a", Trace::logarithmic}};
+        return {
+            {"time", years(), "years"},
+            {"energy", 100 * (scene_.energy(run_.newest) - start) / -start, "%", Trace::linear},
+            {"error", scene_.error(run_.newest, time()), "a", Trace::logarithmic}};
     }
     std::vector<double> state() const override {
-        const auto &x = newest_.position, &v = newest_.velocity;
+        const auto &x = run_.newest.position, &v = run_.newest.velocity;
         return {x.x(), x.y(), x.z(), v.x(), v.y(), v.z()};
     }
 
@@ -115,10 +112,9 @@ class LivePlanet : public live::Figure {
         return points;
     }
     Planet scene_;
-    PointMass previous_, newest_;
+    live::Run<PointMass> run_;
     int method_ = 2;
     double steps_a_year_ = 100, farthest_ = 0;
-    long steps_ = 0;
     Vector3 low_, high_;  // corners of what it has filled
     std::vector<Vector3> trail_, ellipse_ = exact_path();
 };

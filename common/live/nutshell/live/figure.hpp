@@ -89,8 +89,11 @@ class Figure {
     virtual pic::Size size() const { return {}; }          ///< of the still; the page keeps its shape
     virtual pic::Camera camera(pic::Size size) const = 0;  ///< before the reader turns it
     virtual std::vector<Number> numbers() const = 0;
-    /// Every number of the physics: compared bit by bit between the program and the page.
+    /// Every number of the physics: compared between the program and the page.
     virtual std::vector<double> state() const = 0;
+    /// How far the two may be apart after 1000 steps, relative to the largest number. 0, the same bits, for figures of
+    /// + - * / and sqrt; sin, exp and their like differ between the two C libraries in the last digit.
+    virtual double page_tolerance() const { return 0; }
 
     // --- the reader's hand
     /// @return whether something is there to be held; then drag and release follow
