@@ -165,7 +165,8 @@ void EXPORT(controls)() {
              [](const State& s) {
                  return "\"key\":" + json(s.key) + ",\"words\":" + json(s.words) +
                         ",\"choice\":" + json(double(s.setting.choice)) +
-                        ",\"values\":" + json(s.setting.values) + ",\"time\":" + json(s.time);
+                        ",\"values\":" + json(s.setting.values) +
+                        ",\"time\":" + json(s.instants.empty() ? s.time : s.instants.front());
              }) +
         "}");
 }
