@@ -98,7 +98,7 @@ void rocket(lab::Report& report) {
 }
 
 void launch(lab::Report& report) {
-    const Launch scene;
+    const Rocket scene = water_rocket();
     const double T = scene.duration;
     report.heading("Launch: a water rocket under gravity, tilted");
     const Particle end = scene.exact(T);
@@ -116,13 +116,13 @@ void launch(lab::Report& report) {
     report.number("launch.space_thrust",
                   (in_space.start.flow.rate * in_space.start.flow.velocity).norm(), "N");
 
-    auto entries = lab::entries<Launch>(newton_methods);
+    auto entries = lab::entries<Rocket>(newton_methods);
     entries.push_back({"Verlet, midway parcels", variant(methods::verlet.look),
-                       [](const Launch& s, long n) {
+                       [](const Rocket& s, long n) {
                            return lab::measure(Rocket::with_midway(s), methods::verlet, n);
                        },
-                       [](const Launch& s, long n) {
-                           const Launch other = Rocket::with_midway(s);
+                       [](const Rocket& s, long n) {
+                           const Rocket other = Rocket::with_midway(s);
                            return lab::time_of(
                                [&] { lab::keep(lab::run(other, methods::verlet, n)); });
                        }});
@@ -179,7 +179,7 @@ void momentum_books(lab::Report& report) {
     chart.title = "With gravity the sum falls with the whole weight";
     chart.subtitle = "Launch, Verlet, 300 parcels: parcels fall too.";
     chart.y.name = "momentum upwards [kg m/s]";
-    const double field = books_of(report, Launch{}, 1, "books_gravity", chart);
+    const double field = books_of(report, water_rocket(), 1, "books_gravity", chart);
     const RocketAndExhaust end = lab::run(RocketBooks{}, methods::verlet, 300);
     report.say("Largest error of the sum: " + lab::rounded(space) + " kg m/s in space, " +
                lab::rounded(field) + " kg m/s under gravity, where single entries reach " +

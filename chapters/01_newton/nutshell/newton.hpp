@@ -7,6 +7,8 @@
 
 namespace nutshell {
 
+inline constexpr double earth_gravity = 9.81;  ///< g [m/s^2] at the surface, downwards; Y is up
+
 // [state]
 /// A body reduced to a point: all that Newton's law needs to know of it.
 struct PointMass {

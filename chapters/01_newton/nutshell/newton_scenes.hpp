@@ -11,7 +11,7 @@
 
 namespace nutshell {
 
-inline const Vector3 gravity{0, -9.81, 0};  ///< [m/s^2], Y is up
+inline const Vector3 gravity{0, -earth_gravity, 0};  ///< [m/s^2], Y is up
 
 /// Distance [m] between the positions of two states.
 inline double distance(const PointMass& a, const PointMass& b) {

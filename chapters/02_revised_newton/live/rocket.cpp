@@ -118,7 +118,7 @@ class LiveRocket : public live::Figure {
                               .colour = pic::palette::steel,
                               .look = look});
     }
-    Launch scene_ = Rocket::with_midway(Launch{});
+    Rocket scene_ = Rocket::with_midway(water_rocket());
     RocketBooks books_{scene_};
     live::Run<RocketAndExhaust> run_;
     std::vector<Particle> images_;

@@ -1,13 +1,9 @@
 // Chapter 3 · Types of forces: gravity, springs and drag, each with its energy. Forces add: sum
 // them with +.
 #pragma once
-#include <nutshell/require.hpp>
-#include <nutshell/vector.hpp>
+#include <nutshell/newton.hpp>
 
 namespace nutshell {
-
-inline constexpr double earth_gravity =
-    9.81;  ///< g [m/s^2], at the surface; downwards, and Y is up
 
 // [gravity]
 /// Weight [N] of a mass [kg]: (0, -m g, 0), g in m/s^2. Source: eq. (17) with the unit of g
