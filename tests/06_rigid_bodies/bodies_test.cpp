@@ -1,5 +1,5 @@
-// Chapter 6: many bodies. The wide drift does what the step for one body does, in the same bits for every width
-// of vector, and takes no more than three times the machine's own floor, from ten bodies to a million.
+// Chapter 6: many bodies. The wide drift does what the step for one body does, in the same bits for every
+// width of vector, and takes no more than three times the machine's own floor, from ten bodies to a million.
 #include <cstring>
 #include <nutshell/bodies.hpp>
 #include <nutshell/lab/run.hpp>

@@ -1,5 +1,6 @@
-// Chapter 6: what the good methods cost, against the plainest flat RK4 there is, in the same run and on states
-// that stay in place. Others use this machine too, so each is tried a few times and the best ratio taken.
+// Chapter 6: what the good methods cost, against the plainest flat RK4 there is, in the same run and on
+// states that stay in place. Others use this machine too, so each is tried a few times and the best ratio
+// taken.
 #include <nutshell/lab/run.hpp>
 #include <nutshell/rigid_methods.hpp>
 #include <nutshell/top_scenes.hpp>

@@ -146,7 +146,8 @@ TEST_CASE("Meshes that enclose nothing are refused with the reason and the line 
     CHECK_THROWS_WITH(mass_properties(box_mesh({1, 1, 1}), -1), ContainsSubstring("density"));
     CHECK_THROWS_WITH(mass_properties(Mesh{{Vector3::Zero()}, {{0, 1, 2}}, {}}, 1),
                       ContainsSubstring("no vertex"));
-    // A skin that passes through itself: a box, and a smaller one of the wrong way round that sticks out of it.
+    // A skin that passes through itself: a box, and a smaller one of the wrong way round that sticks out of
+    // it.
     Mesh box = box_mesh({1, 1, 1}), hole = placed(box_mesh({0.1, 0.1, 10}), Matrix3::Identity(), {0, 0, 0});
     for (auto& t : hole.triangles) std::swap(t[1], t[2]);
     CHECK_THROWS_WITH(mass_properties(merged(box, hole), 1), ContainsSubstring("passes through itself"));

@@ -59,7 +59,8 @@ TEST_CASE(
         for (double t = 0.05; t < scene.duration; t += 0.37) {
             const Pinned before = scene.exact(t - h), here = scene.exact(t), after = scene.exact(t + h);
             CHECK(scene.energy(here) == Approx(top).epsilon(1e-12));
-            // dL/dt = torque and dtheta/dt = L/I by central differences: h^2/6 of third derivatives below 5 g^2
+            // dL/dt = torque and dtheta/dt = L/I by central differences: h^2/6 of third derivatives below 5
+            // g^2
             const Vector3 change = (after.angular_momentum - before.angular_momentum) / (2 * h);
             CHECK((change - scene(here, t).torque).norm() < 100 * h * h);
             const double turned = logarithm(product(after.orientation, inverse(before.orientation))).z();

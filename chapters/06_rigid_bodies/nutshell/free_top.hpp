@@ -23,9 +23,10 @@ class FreeTop {
     FreeTop(const Vector3& inertia, const Quaternion& start, const Vector3& L)
         : inertia_(inertia), start_(start), L_(L), length_(L.norm()) {
         const Vector3 I = inertia;
-        symmetric_ = I[0] == I[1] || I[1] == I[2] || I[2] == I[0] || length_ == 0;
-        if (symmetric_) return;  // the closed form of symmetric_rotation
         const Vector3 M = rotate(inverse(start), L);
+        // two equal moments, or a spin about one principal axis: free_rotation is exact
+        simple_ = I[0] == I[1] || I[1] == I[2] || I[2] == I[0] || (M.array() != 0).count() <= 1;
+        if (simple_) return;
         find_axes(M);
         const double I1 = I[one_], I2 = I[two_], I3 = I[three_], d1 = I3 - I1, d2 = I3 - I2,
                      d3 = I2 - I1;
@@ -51,7 +52,7 @@ class FreeTop {
 
     /// Orientation at time t [s].
     Quaternion pose(double t) const {
-        if (symmetric_) {
+        if (simple_) {
             Quaternion q = start_;
             if (length_ > 0) free_rotation(inertia_, q, L_, t);
             return q;
@@ -65,21 +66,21 @@ class FreeTop {
 
     /// Angular momentum in body axes at time t [kg m^2/s].
     Vector3 in_body(double t) const {
-        if (symmetric_) return rotate(inverse(pose(t)), L_);
+        if (simple_) return rotate(inverse(pose(t)), L_);
         const Jacobi f = jacobi(u0_ + rate_ * t, complementary_);
         Vector3 M;
         M[one_] = a1_ * f.cn, M[two_] = a2_ * f.sn, M[three_] = a3_ * f.dn;
         return M;
     }
 
-    /// Time between two flips [s]: from one passing of M2 = 0 to the next. Infinite if symmetric.
+    /// Time between two flips [s]: from one passing of M2 = 0 to the next. Infinite if there are none.
     double between_flips() const {
-        return symmetric_ ? std::numeric_limits<double>::infinity() : 2 * quarter_ / rate_;
+        return simple_ ? std::numeric_limits<double>::infinity() : 2 * quarter_ / rate_;
     }
 
     /// The first time after the start when the part of L along the middle axis is zero [s].
     double first_flip() const {
-        if (symmetric_) return std::numeric_limits<double>::infinity();
+        if (simple_) return std::numeric_limits<double>::infinity();
         return (2 * quarter_ * (std::floor(u0_ / (2 * quarter_)) + 1) - u0_) / rate_;
     }
 
@@ -88,7 +89,7 @@ class FreeTop {
     Quaternion start_;
     Vector3 L_;
     double length_;  // of L
-    bool symmetric_;
+    bool simple_;
     int one_ = 0, two_ = 1, three_ = 2;          // which axis has which role
     double a1_ = 0, a2_ = 0, a3_ = 0;            // amplitudes, two of them with a sign
     double rate_ = 0, u0_ = 0;                   // of Jacobi's argument
