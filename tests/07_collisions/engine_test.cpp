@@ -117,6 +117,39 @@ TEST_CASE("What each switch buys: the stack without it") {
     CHECK(depth_after(false) == near(0.05, 1e-9));
 }
 
+TEST_CASE("Sleep: a stack that stands falls asleep, does not move a bit, and wakes when a ball comes") {
+    Stack stack;
+    stack.switches.sleep = true;
+    World world = stack.start();
+    world.add(solid_ball(1, 0.3, {-30, 4.5, 0}), Sphere{0.3});
+    world.gravity = {0, -9.81, 0};
+    const std::size_t ball = world.bodies.size() - 1;
+    Engine engine(stack.switches);
+    const auto hold = [&] {
+        world.bodies[ball].position = {-30, 4.5, 0}, world.bodies[ball].momentum.setZero();
+    };
+    for (int i = 0; i < 300; ++i) engine.step(world, dt), hold();
+    for (std::size_t i = 0; i < ball; ++i) REQUIRE(engine.asleep(i));
+    CHECK_FALSE(engine.asleep(ball));
+    const Vector3 top = world.bodies[ball - 1].position;
+    for (int i = 0; i < 60; ++i) engine.step(world, dt), hold();
+    CHECK(world.bodies[ball - 1].position == top);
+    CHECK(engine.contacts().empty());  // nothing is solved
+    world.bodies[ball].position = {-2, 4.5, 0}, world.bodies[ball].momentum = {12, 0, 0};
+    for (int i = 0; i < 30; ++i) engine.step(world, dt);
+    for (std::size_t i = 0; i < ball; ++i) CHECK_FALSE(engine.asleep(i));
+    CHECK(stack.drift({{world.bodies.begin(), world.bodies.end() - 1}}) > 0.1);
+}
+
+TEST_CASE("A world that has blown up is named") {
+    Pile pile;
+    pile.wide = 2;
+    World world = pile.start();
+    world.bodies[3].position.y() = std::nan("");
+    Engine engine;
+    CHECK_THROWS_WITH(engine.step(world, dt), ContainsSubstring("not finite"));
+}
+
 TEST_CASE("The grid finds what looking at every pair finds: not one bit differs in what is found") {
     Pile pile;
     pile.wide = 4;

@@ -3,6 +3,7 @@
 #include <nutshell/contact_memory.hpp>
 #include <nutshell/contacts.hpp>
 #include <nutshell/grid.hpp>
+#include <nutshell/sleep.hpp>
 
 namespace nutshell {
 
@@ -30,15 +31,18 @@ struct Switches {
     int relaxing = 1;        ///< passes after the drift, which take out the speed of pushing out
     bool warm_start = true;  ///< begin with the impulses of the last sub-step
     bool grid = true;        ///< look for contacts next door only; off: every pair
+    bool sleep = false;      ///< what lies still for a while is left alone until it is touched
     bool soft = true;        ///< what overlaps is pushed out; off: it only stops closing in
     double stiffness = 0.2;  ///< frequency of the soft contacts times the sub-step
     double damping = 10;     ///< their damping ratio
     double near = 0.1;       ///< contacts are kept from this gap on, times the smallest reach
+    SleepRule rule = {};
 };
 // [/switches]
 
 // [engine]
-/// What is kept from step to step: the contacts with their impulses, and room. One per run.
+/// What is kept from step to step: the contacts with their impulses, who sleeps, and room. One
+/// per run. Restitution acts in the relaxing passes.
 class Engine {
   public:
     explicit Engine(const Switches& switches = {}) : on(switches) {}
@@ -47,20 +51,23 @@ class Engine {
     /// One step of dt [s].
     [[gnu::flatten]] void step(World& world, double dt) {
         find_contacts_of(world, dt);
+        if (on.sleep && sleep_.wake(world.bodies, reach_, on.rule)) find_contacts_of(world, dt);
         const double h = dt / on.sub_steps, g = world.gravity.norm();
         Press push{h, world.surface.friction, 0, 0};
         if (on.soft) push.soft = softness(on.stiffness / h, on.damping, h);
         const Press relax{h, world.surface.friction, world.surface.restitution, 2 * g * h};
         for (int k = 0; k < on.sub_steps; ++k) {
-            for (Body& body : world.bodies)
-                if (body.mass < immovable) kick(body, weight(body, world), h);
+            for (std::size_t i = 0; i < world.bodies.size(); ++i)
+                if (moves(world, i)) kick(world.bodies[i], weight(world.bodies[i], world), h);
             start_contacts(world);
             for (int pass = 0; pass < on.passes; ++pass) press_all(world, push, false);
             drift_all(world, h);
             for (int pass = 0; pass < on.relaxing; ++pass) press_all(world, relax, pass == 0);
             if (on.relaxing == 0) follow_all(world);
         }
+        if (on.sleep) sleep_.end_step(world.bodies, reach_, on.rule, dt);
     }
+    bool asleep(std::size_t body) const { return sleep_.asleep(body); }
     /// The contacts of the last step.
     const std::vector<PressedContact>& contacts() const { return contacts_; }
 
@@ -71,8 +78,12 @@ class Engine {
     std::vector<Vector3> places_;
     std::vector<double> reach_, speed_;
     ContactMemory memory_;
+    Sleep sleep_;
     Grid grid_;
 
+    bool moves(const World& world, std::size_t i) const {
+        return world.bodies[i].mass < immovable && !asleep(i);
+    }
     static Wrench weight(const Body& body, const World& world) {
         Wrench push;
         push.force = body.mass * world.gravity;
@@ -114,8 +125,8 @@ class Engine {
     }
     void drift_all(World& world, double h) {
         for (std::size_t i = 0; i < world.bodies.size(); ++i) {
+            if (!moves(world, i)) continue;
             Body& body = world.bodies[i];
-            if (body.mass == immovable) continue;
             drift(body, h);
             mobility_[i + 1] = mobility_of(body);
         }
@@ -125,12 +136,13 @@ class Engine {
         const std::size_t n = world.bodies.size();
         if (on.warm_start) memory_.remember(contacts_);
         contacts_.clear();
+        if (on.sleep) sleep_.start_step(n);
         mobility_.resize(n + 1), places_.resize(n), reach_.resize(n), speed_.resize(n);
         mobility_[0] = mobility_of(world.earth);
         double largest = 0, smallest = immovable, fastest = 0;
         for (std::size_t i = 0; i < n; ++i) {
             const Body& body = world.bodies[i];
-            mobility_[i + 1] = mobility_of(body);
+            mobility_[i + 1] = asleep(i) ? Mobility{} : mobility_of(body);
             places_[i] = body.position, reach_[i] = reach(world.shapes[i]);
             speed_[i] =
                 (mobility_[i + 1].inverse_mass * body.momentum + dt * world.gravity).norm();
@@ -171,6 +183,12 @@ class Engine {
         return 0;
     }
     void keep(World& world, int a, int b) {
+        if (on.sleep && !found_.empty()) {
+            const auto i = static_cast<std::size_t>(a), j = static_cast<std::size_t>(b);
+            if (a >= 0 && world.bodies[i].mass < immovable && world.bodies[j].mass < immovable)
+                sleep_.join(i, j);
+            if (asleep(j) && (a < 0 || !moves(world, i))) return;  // nothing to do
+        }
         for (const Contact& found : found_) {
             PressedContact& c = contacts_.emplace_back();
             c.a = a, c.b = b;

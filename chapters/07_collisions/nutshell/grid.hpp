@@ -2,6 +2,7 @@
 #pragma once
 #include <algorithm>
 #include <nutshell/vector.hpp>
+#include <stdexcept>
 #include <vector>
 
 namespace nutshell {
@@ -13,11 +14,15 @@ class Grid {
   public:
     /// Sorts the points [m] by cube, bottom layer first. The side grows where the points are so
     /// far apart that there would be more than eight cubes a point.
+    /// @throws std::invalid_argument if a point is not finite: the world has blown up
     void sort(const std::vector<Vector3>& points, double cell) {
         const std::size_t n = points.size();
         Vector3 low = Vector3::Zero(), high = Vector3::Zero();
         if (n > 0) low = high = points[0];
-        for (const Vector3& p : points) low = low.cwiseMin(p), high = high.cwiseMax(p);
+        Vector3 sum = Vector3::Zero();
+        for (const Vector3& p : points) low = low.cwiseMin(p), high = high.cwiseMax(p), sum += p;
+        if (!sum.allFinite())
+            throw std::invalid_argument("Grid: a position is not finite; the world has blown up");
         const Vector3 extent = high - low;
         const double most = 8 * static_cast<double>(n) + 64;
         for (;; cell *= 1.25) {
