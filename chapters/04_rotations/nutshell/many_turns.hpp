@@ -36,8 +36,9 @@ namespace printed {
 
 /// The source's class Rotation, listing C5, arithmetic for arithmetic: all in float, 1 - cos by
 /// subtraction, no case for the angle 0, and the transpose of (23)-(26): it turns by -v. Errata
-/// E51, E52, E53, E80.
-inline Eigen::Matrix3f rotation(const Eigen::Vector3f& v) {
+/// E51, E52, E53, E80. (Its 0/0 is the erratum: sanitizers are asked to let it pass.)
+__attribute__((no_sanitize("float-divide-by-zero"))) inline Eigen::Matrix3f rotation(
+    const Eigen::Vector3f& v) {
     const float theta = std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
     const float s = std::sin(theta), c = std::cos(theta), t = 1 - c;
     const float x = v[0] / theta, y = v[1] / theta, z = v[2] / theta;
