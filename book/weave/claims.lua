@@ -40,7 +40,9 @@ end
 
 local function term(page, text)
     if tonumber(text) then return tonumber(text) end
-    local name, operator, factor = text:match("^([%w_./]+)%s*([*/]?)%s*([%d.]*)$")
+    local name, operator, factor = text:match("^(.-)%s*([*/])%s*([%d.]+)$")
+    if not name then name, operator = text, "" end
+    if not name:find("^[%w_./-]+$") then name = nil end
     if not name then return nil, "'" .. text .. "' is no number, NAME, NAME*2 or NAME/2" end
     local value, why = Numbers.value(page, name)
     if not value then return nil, why end

@@ -107,9 +107,9 @@ void growth(lab::Report& report) {
 void turns(lab::Report& report) {
     report.heading("Turns and spirals");
     Chart chart = plane("Multiplied again and again by one number",
-                        "c turns by 20 degrees; its size decides what becomes of the point");
+                        "each turns by 20 degrees; the size decides what becomes of the point");
     for (const double size : {0.95, 1.0, 1.03}) {
-        Series path{"|c| = " + lab::rounded(size), {}, {}, Draw::line_and_marks};
+        Series path{"size " + lab::rounded(size), {}, {}, Draw::line_and_marks};
         for (Complex z = 1; path.x.size() < 25; z = turned(z * size, pi / 9)) {
             path.x.push_back(z.real());
             path.y.push_back(z.imag());

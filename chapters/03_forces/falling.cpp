@@ -61,6 +61,12 @@ void falling(lab::Report& report) {
     report.heading("Falling with linear drag: gamma = " + lab::rounded(scene.drag) + " kg/s, " +
                    lab::rounded(scene.duration) + " s");
     report.number("falling.terminal_speed", scene.terminal_velocity().norm(), "m/s");
+    // where linear drag is true: a steel ball of 2 mm in honey (Stokes: gamma = 6 pi eta radius)
+    const double radius = 1e-3, honey = 1400, steel = 7850,
+                 viscosity = 10;  // [m], [kg/m^3], [Pa s]
+    const double sinks = 2.0 / 9 * (steel - honey) * earth_gravity * radius * radius / viscosity;
+    report.number("falling.honey.speed", sinks, "m/s");
+    report.number("falling.honey.reynolds", honey * sinks * 2 * radius / viscosity);
     report.number("falling.end_speed", scene.exact(scene.duration).velocity.norm(), "m/s");
     report.number("falling.depth", -scene.exact(scene.duration).position.y(), "m");
     report.number("falling.kick_300.error",

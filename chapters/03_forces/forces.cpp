@@ -30,6 +30,7 @@ int main(int argc, char** argv) {
         nutshell::pictures(report);
         nutshell::announce_comparison(report);
         nutshell::chains_and_cloths(report);
+        nutshell::stiff_cloth(report);
         nutshell::scale(report);
     });
 }

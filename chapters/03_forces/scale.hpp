@@ -10,4 +10,7 @@ void scale(lab::Report& report);
 /// Hanging chain and cloth: rest shapes, stability limits, pictures.
 void chains_and_cloths(lab::Report& report);
 
+/// A stiff cloth by small steps, implicit Euler and position-based dynamics.
+void stiff_cloth(lab::Report& report);
+
 }  // namespace nutshell

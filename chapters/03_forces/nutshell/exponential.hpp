@@ -165,7 +165,7 @@ State semi_implicit_division(State state, const Forces& forces, double t, double
 // [oscillation]
 /// What a damped oscillator x'' = -omega^2 x - g x' does in a time t, as a matrix on (x, x').
 /// Exact in all three regimes (under-, critically and over-damped), to a few units of
-/// round-off; omega [rad/s] and g = gamma/m [1/s] not negative. Eq. (3.g).
+/// round-off; omega [rad/s] and g = gamma/m [1/s] not negative. Eq. (3A.c).
 inline Eigen::Matrix2d oscillation(double omega, double g, double t) {
     const double d = g / 2, D = omega * omega - d * d;
     // e^(-d t) cos(rt), e^(-d t) sin(rt)/r, r = sqrt(D); cosh and sinh where D is negative; near

@@ -35,7 +35,7 @@ struct FallingWithDrag {
 // [/falling]
 
 /// A ball falls from rest in air: weight and quadratic drag.
-/// exact: v = v_t tanh(g t/v_t), eq. (3.f); accurate to round-off.
+/// exact: v = v_t tanh(g t/v_t), eq. (3A.d); accurate to round-off.
 struct FallingInAir {
     std::string name = "falling_in_air";
     double air = air_drag(1.2, 0.47, pi * 0.1 * 0.1);  // c [kg/m]: a ball of radius 10 cm

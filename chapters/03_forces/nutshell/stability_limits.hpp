@@ -12,7 +12,7 @@
 namespace nutshell {
 
 // [euler_limit]
-/// Euler on a damped spring: never stable without drag (returns 0). Eqs. (3.h)-(3.i).
+/// Euler on a damped spring: never stable without drag (returns 0). Eqs. (3A.a)-(3A.b).
 inline double euler_limit(double omega, double g) {
     // exercise 3.7
     if (g * g < 4 * omega * omega) return g / (omega * omega);
@@ -23,7 +23,7 @@ inline double euler_limit(double omega, double g) {
 
 // [semi_implicit_limit]
 /// Semi-implicit Euler with the drag in its kick: 2/omega without drag, 2/g without spring.
-/// Eq. (3.j), (-g + sqrt(g^2 + 4 omega^2))/omega^2 written without its cancellation.
+/// Eq. (3.h), (-g + sqrt(g^2 + 4 omega^2))/omega^2 written without its cancellation.
 inline double semi_implicit_limit(double omega, double g) {
     // exercise 3.8
     return 4 / (g + std::sqrt(g * g + 4 * omega * omega));
