@@ -65,6 +65,7 @@ class LiveWay : public live::Figure {
         const Quaternion q = pose(std::min(1.0, time()));
         return {q.x(), q.y(), q.z(), q.w()};
     }
+    double page_tolerance() const override { return 1e-12; }  // sin and cos of one pose
 
   private:
     Quaternion pose(double part) const {

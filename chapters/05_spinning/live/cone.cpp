@@ -93,6 +93,9 @@ class LiveCone : public live::Figure {
                              .look = look});
         drawing.add(pic::Ball{.centre = fin(q), .radius = 0.07, .colour = colour, .look = look});
     }
+    double page_tolerance() const override {
+        return 1e-12;
+    }  // sin and cos in every step, a thousand of them
     pic::Colour colour() const {
         return choice_ == 3 ? pic::palette::runge_kutta : pic::palette::exponential;
     }
