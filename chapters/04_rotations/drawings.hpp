@@ -50,7 +50,7 @@ inline void add_cube(pic::Drawing& drawing, const Matrix3& map, const Vector3& a
         }
 }
 
-/// A circle of radius r about `axis` through `centre`, from one angle to another [rad]; the angle 0
+/// A circle of radius r about `axis` through `centre`, from one angle to another [rad]; angle 0
 /// is in the direction of `zero`, which is made perpendicular to the axis.
 inline std::vector<Vector3> arc(const Vector3& centre, const Vector3& axis, const Vector3& zero,
                                 double r, double from, double to) {

@@ -1,4 +1,4 @@
-// What the moving figures of chapter 5 show. All of it in this header, because the page's module is
+// What chapter 5's moving figures show. All of it in this header, because the page's module is
 // compiled from live/ alone.
 #pragma once
 #include <nutshell/picture/camera.hpp>

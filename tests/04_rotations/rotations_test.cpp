@@ -129,7 +129,7 @@ TEST_CASE("bad input is refused in words") {
 }
 
 TEST_CASE("a 4-vector of length 1.1 makes a matrix that is no rotation (E15)") {
-    // (28*) of a longer 4-vector is s R + (s - 1), s the squared length: along the axis it stretches by 2 s - 1
+    // (28*) of a longer 4-vector is s R + (s - 1), s the squared length: 2 s - 1 along the axis
     const double s = 1.1 * 1.1, along = (2 * s - 1) * (2 * s - 1) - 1;
     for_all_turns([&](const Vector3& n, double angle) {
         const Matrix3 r = rotation_matrix(Quaternion(1.1 * quaternion_about(n, angle).coeffs()));

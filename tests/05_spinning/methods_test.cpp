@@ -141,6 +141,18 @@ TEST_CASE("an angular velocity that depends on the pose: the midpoint's half ste
             return angle_between(q, product(start, exponential(body * (t + t * t * t / 3))));
         }
     };
+    // one spin fixed in the world and one in the body: the exact pose is a turn on either side
+    struct Both {
+        Quaternion start = quaternion_about({1, 2, 3}, 0.7);
+        double duration = 2;
+        Vector3 world{-0.3, 0.9, 0.5}, body{0.4, -1.1, 0.8};
+        Vector3 operator()(const Quaternion& q, double) const { return world + rotate(q, body); }
+        double error(const Quaternion& q, double t) const {
+            return angle_between(q, product(exponential(world * t), product(start, exponential(body * t))));
+        }
+    };
+    CHECK_THAT(convergence(Both{}, midpoint, {100, 200, 400}), HasOrder(2));
+    CHECK_THAT(convergence(Both{}, runge_kutta, {50, 100, 200}), HasOrder(4));
     CHECK_THAT(convergence(BodyFixed{}, midpoint, {100, 200, 400}), HasOrder(2));
     CHECK_THAT(convergence(BodyFixed{}, runge_kutta, {50, 100, 200}), HasOrder(4));
     CHECK_THAT(convergence(BodyFixed{}, exponential_start, {400, 800, 1600}), HasOrder(1));

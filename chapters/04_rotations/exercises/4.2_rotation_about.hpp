@@ -1,4 +1,4 @@
-// Exercise 4.2: the matrix of a turn about any axis, where the source's (26) has two wrong entries.
+// Exercise 4.2: the matrix of a turn about any axis; the source's (26) has two wrong entries.
 #pragma once
 #include <nutshell/rotations.hpp>
 #include "exercise.hpp"

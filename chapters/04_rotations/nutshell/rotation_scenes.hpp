@@ -46,7 +46,8 @@ struct FullTurn {
 // [poses]
 /// Two poses, and the ways between them.
 struct TwoPoses {
-    Quaternion from = orientation_of(EulerAngles{-1.2, -1, 0}), to = orientation_of(EulerAngles{0.9, -0.9, 2.2});
+    Quaternion from = orientation_of(EulerAngles{-1.2, -1, 0}),
+               to = orientation_of(EulerAngles{0.9, -0.9, 2.2});
     Need need{1.0 / 300, "rad", "one pixel at the end of an arm of 300 pixels"};
 
     /// Two poses `angle` [rad] apart.

@@ -30,7 +30,7 @@ class LiveRolling : public live::Figure {
             cycloid.points.push_back(scene_.point(scene_.exact(t), t, lowest));
         }
         if (time() > 0) drawing.add(cycloid);
-        // the painted spoke, which starts upwards in the picture of a wheel, starts downwards here
+        // the painted spoke, which starts upwards in the picture of a wheel, starts downwards
         const Quaternion shown = product(q_, quaternion_about(Vector3::UnitZ(), pi));
         add_wheel(drawing, shown, scene_.centre(time()), r, 8, pic::palette::body, true);
         for (int i = 0; i < 8; ++i) {

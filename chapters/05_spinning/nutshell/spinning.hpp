@@ -103,7 +103,7 @@ Quaternion rk4_pose(const Quaternion& q, const Spin& spin, double t, double dt) 
 // [/rk4_pose]
 
 // [seen]
-/// The turn [rad] that an eye sees between two pictures of a wheel with `spokes` equal spokes: the
+/// The turn [rad] an eye sees between two pictures of a wheel with `spokes` equal spokes: the
 /// shortest one that looks the same, from -pi/spokes to pi/spokes. Eq. (5.f).
 /// @throws std::invalid_argument if there are no spokes
 inline double seen_turn(double turn, int spokes) {

@@ -10,7 +10,7 @@ inline double first_order_growth(double theta) {
     return std::sqrt(1 + theta * theta / 4);
 }
 
-/// How much of the angle theta [rad] one step of (32) leaves out: theta^3/12 where theta is small.
+/// How much of the angle theta [rad] one step of (32) leaves out: theta^3/12 for small theta.
 inline double first_order_lag(double theta) {
     // exercise 5.3
     return theta - 2 * std::atan(theta / 2);
