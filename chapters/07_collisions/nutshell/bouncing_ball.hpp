@@ -103,8 +103,8 @@ inline void bounce_off_floor(const BouncingBall& scene, Particle& body) {
 // [/floor_rule]
 
 // [pushing_floor]
-/// The floor of many engines (Baumgarte's): an impact, and `push` times the depth over dt as extra
-/// speed, to be out of the floor in 1/push steps. The speed stays: the ball gains energy.
+/// The floor of many engines (Baumgarte's): an impact, and `push` times the depth over dt as
+/// extra speed, to be out of the floor in 1/push steps. The speed stays: the ball gains energy.
 /// @param push  0 to 1
 inline void bounce_with_push(const BouncingBall& scene, Particle& body, double dt, double push) {
     const double depth = scene.ball.radius - distance_to(scene.floor, body.position);

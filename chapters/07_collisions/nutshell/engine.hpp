@@ -95,8 +95,8 @@ class Engine {
     Mobility& mobility_at(int i) { return mobility_[static_cast<std::size_t>(i + 1)]; }
 
     /// One pass: every contact's turn, from the top of the room down to the floor, so that each
-    /// layer knows what it carries when its turn comes. (The walls' contacts were found first, and
-    /// the grid counts its layers from below.)
+    /// layer knows what it carries when its turn comes. (The walls' contacts were found first,
+    /// and the grid counts its layers from below.)
     void press_all(World& world, const Press& want, bool moved) {
         for (std::size_t i = contacts_.size(); i-- > 0;) {
             PressedContact& c = contacts_[i];

@@ -1,12 +1,12 @@
-// Chapter 7 · Scenes of friction: a block on a slope, a bowling ball. Run by the engine's contacts
-// on a body free to turn; no formula for sliding is in them.
+// Chapter 7 · Scenes of friction: a block on a slope, a bowling ball. Run by the engine's
+// contacts on a body free to turn; no formula for sliding is in them.
 #pragma once
 #include <nutshell/rest_scenes.hpp>
 
 namespace nutshell {
 
-/// What a scene of rigid contacts needs of the engine: nothing overlaps, so nothing is pushed out,
-/// and many passes until the impulses stand still.
+/// What a scene of rigid contacts needs of the engine: nothing overlaps, so nothing is pushed
+/// out, and many passes until the impulses stand still.
 inline Switches rigid_contacts() {
     Switches switches;
     switches.sub_steps = 1, switches.passes = 500, switches.relaxing = 0, switches.soft = false;

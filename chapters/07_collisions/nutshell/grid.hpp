@@ -46,7 +46,8 @@ class Grid {
                 static_cast<int>(i);
     }
 
-    /// Calls visit(i, j) for all points i and j in the same cube or in neighbours, each pair once.
+    /// Calls visit(i, j) for all points i and j in the same cube or in neighbours, each pair
+    /// once.
     template <class Visit>
     void pairs(const Visit& visit) const {
         for (int y = 0; y < size_[1]; ++y)

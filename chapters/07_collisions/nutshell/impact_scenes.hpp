@@ -140,8 +140,8 @@ inline bool seen_inside(double before, double thickness, double speed, double dt
     return look <= before + thickness;
 }
 
-/// The swept test: whether the way from the last look before the slab to the next meets its front.
-/// It always does.
+/// The swept test: whether the way from the last look before the slab to the next meets its
+/// front. It always does.
 inline bool swept_inside(double before, double speed, double dt) {
     const double looks = std::floor(before / (speed * dt));
     const Vector3 last_before{looks * speed * dt, 0, 0}, velocity{speed, 0, 0};

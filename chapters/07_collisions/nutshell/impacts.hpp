@@ -75,7 +75,8 @@ struct Touch {
 /// Impacts of many touching particles at one moment, one pair after another, until no pair closes
 /// in faster than `still` [m/s].
 /// @return the number of impacts
-/// @throws std::runtime_error after a million impacts: some e < 1 never end ("inelastic collapse")
+/// @throws std::runtime_error after a million impacts: some e < 1 never end ("inelastic
+/// collapse")
 inline long collide_one_after_another(std::vector<Particle>& all,
                                       const std::vector<Touch>& touches, double e,
                                       double still = 0) {

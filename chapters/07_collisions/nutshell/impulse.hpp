@@ -43,8 +43,9 @@ inline void apply_impulse(Body& a, Body& b, const Contact& at, const Vector3& J)
 // [/apply_impulse]
 
 // [mobility]
-/// How a body's point at `lever` [m] from its centre answers an impulse there: its velocity changes
-/// by K J, K in 1/kg. Eq. (7.d): J/m from the motion, (I^-1 (r x J)) x r from the turning.
+/// How a body's point at `lever` [m] from its centre answers an impulse there: its velocity
+/// changes by K J, K in 1/kg. Eq. (7.d): J/m from the motion, (I^-1 (r x J)) x r from the
+/// turning.
 inline Matrix3 mobility(double inverse_mass, const Matrix3& inverse_inertia,
                         const Vector3& lever) {
     Matrix3 cross;                      // cross * J = lever x J
@@ -82,8 +83,9 @@ inline Vector3 plastic_impulse(const Matrix3& K, const Vector3& u, const Vector3
     if (normal > 0 && (stick - normal * n).norm() <= mu * normal) return stick;
 
     // It slides, towards some unit vector d, and the impulse is along n - mu d. What brings the
-    // separating speed to zero is then -n.u/gain times that, gain = n.K(n - mu d); and the velocity
-    // that is left, times gain, is `left`. The right d is the direction of that velocity.
+    // separating speed to zero is then -n.u/gain times that, gain = n.K(n - mu d); and the
+    // velocity that is left, times gain, is `left`. The right d is the direction of that
+    // velocity.
     const Vector3 across = u - n.dot(u) * n;
     const Vector3 x = across.norm() > 0 ? across.normalized() : n.unitOrthogonal();
     const Vector3 y = n.cross(x);
@@ -172,8 +174,8 @@ inline Surface checked(const Surface& surface) {
     return surface;
 }
 
-/// Throws std::invalid_argument if these two bodies cannot collide here: a number is not finite, a
-/// mass or a moment not greater than zero (both may be `immovable`), the normal no unit vector,
+/// Throws std::invalid_argument if these two bodies cannot collide here: a number is not finite,
+/// a mass or a moment not greater than zero (both may be `immovable`), the normal no unit vector,
 /// or neither body can move.
 inline void check_contact(const Body& a, const Body& b, const Contact& at) {
     checked_normal(at.normal);

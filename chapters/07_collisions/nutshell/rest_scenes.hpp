@@ -128,8 +128,8 @@ struct Stack {
 // [/stack]
 
 // [pile]
-/// Spheres of radius 0.1 m and 1 kg fall into a box (scene S15): ten layers of wide x wide, 0.215 m
-/// apart, the lowest 0.5 m up, each shifted by chance by up to 5 mm in x and z.
+/// Spheres of radius 0.1 m and 1 kg fall into a box (scene S15): ten layers of wide x wide, 0.215
+/// m apart, the lowest 0.5 m up, each shifted by chance by up to 5 mm in x and z.
 struct Pile {
     std::string name = "pile";
     int wide = 10;        // spheres along a side of a layer; the box grows with them
@@ -196,8 +196,8 @@ struct RandomRoom {
 };
 // [/random_room]
 
-/// Gives the world back if it can be simulated. @throws std::invalid_argument if a body, a shape, a
-/// wall or the surface cannot be, there is not one shape for each body, or a rod is not alone
+/// Gives the world back if it can be simulated. @throws std::invalid_argument if a body, a shape,
+/// a wall or the surface cannot be, there is not one shape for each body, or a rod is not alone
 inline World checked(World world) {
     require(world.bodies.size() == world.shapes.size(),
             "a world needs one shape for each body, but has " +

@@ -13,8 +13,8 @@ struct SleepRule {
 };
 
 // [sleep]
-/// Which bodies sleep. Bodies that touch are an island: they fall asleep together, and when one of
-/// them is moved, all wake.
+/// Which bodies sleep. Bodies that touch are an island: they fall asleep together, and when one
+/// of them is moved, all wake.
 class Sleep {
   public:
     bool asleep(std::size_t i) const { return i < asleep_.size() && asleep_[i]; }

@@ -6,8 +6,8 @@
 namespace nutshell {
 
 // [spinning_ball]
-/// A ball with back-spin meets the floor (scene S10): 1 kg, radius 0.1 m, restitution 0.5. With mu
-/// = 0.2 it slides all through the impact, with 0.8 it ends up rolling.
+/// A ball with back-spin meets the floor (scene S10): 1 kg, radius 0.1 m, restitution 0.5. With
+/// mu = 0.2 it slides all through the impact, with 0.8 it ends up rolling.
 struct SpinningBall {
     std::string name = "spinning_ball";
     Surface surface{0.5, 0.2};

@@ -46,8 +46,8 @@ struct PrintedUniverse {
     Eigen::Matrix3f R = Eigen::Matrix3f::Identity();
     long contacts = 0;
 
-    /// Universe::evolve: Euler's step, then the floor that tests the centre, tests no approach and
-    /// takes a tenth of L at every contact (E62-E64).
+    /// Universe::evolve: Euler's step, then the floor that tests the centre, tests no approach
+    /// and takes a tenth of L at every contact (E62-E64).
     void evolve(float dt) {
         const Vector3f v = K, omega = L;
         p = p + v * dt;
