@@ -71,10 +71,10 @@ void rocket(lab::Report& report) {
     report.number("rocket.ratio_for_three", std::exp(3.0));
 
     const std::vector<lab::Entry<Rocket>> ways{
-        {"from the speed before", variant({}), lab::entry<Rocket>(methods::euler).measure,
+        {"from the speed before", {}, lab::entry<Rocket>(methods::euler).measure,
          lab::entry<Rocket>(methods::euler).seconds},
         {"from the mean speed",
-         {},
+         {Family::plain, Mark::square, "9 4"},
          [](const Rocket& scene, long steps) {
              return lab::measure(Rocket::with_midway(scene), methods::euler, steps);
          },

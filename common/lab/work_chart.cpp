@@ -12,6 +12,7 @@ chart::Chart work_precision_chart(const std::vector<Curve>& curves, const Need& 
     chart.ring_cheapest = true;
     for (const auto& curve : curves) {
         chart::Series series{curve.name};
+        series.look = curve.look;
         for (const auto& run : curve.runs) {
             series.x.push_back(cost == Cost::evaluations ? static_cast<double>(run.evaluations)
                                                          : run.seconds_per_second);

@@ -211,6 +211,18 @@ case_second_run_does_nothing_needless() {
     [ -z "$(find "$toy/build" -newer "$work/mark" \( -path '*/bin/*' -o -name '*.o' -o -name CMakeCache.txt -o -name configure.txt \))" ] ||
         fail "made again: $(find "$toy/build" -newer "$work/mark")"
 }
+case_a_package_installed_later_is_looked_for() {
+    hide chromium
+    course run 1
+    ends_with 0
+    rm "$toy/build/log/configure.txt"
+    course run 1
+    there_is_no build/log/configure.txt
+    ln -s "$(command -v true)" "$work/bin/chromium"
+    course run 1
+    ends_with 0
+    there_is build/log/configure.txt
+}
 case_moved_folder() {
     course run 1 && ends_with 0
     mv "$toy" "$work/another toy"
@@ -299,6 +311,7 @@ case_two_at_once() {
 }
 case_on_a_terminal() {
     command -v script >/dev/null || skip "no script(1) here"
+    script -qec true /dev/null >/dev/null 2>&1 </dev/null || skip "this system gives no pseudo-terminal"
     code=0
     TERM=xterm script -qec "'$toy/course' run" /dev/null >"$work/said" </dev/null || code=$?
     ends_with 0
