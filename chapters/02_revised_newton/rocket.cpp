@@ -71,7 +71,9 @@ void rocket(lab::Report& report) {
     report.number("rocket.ratio_for_three", std::exp(3.0));
 
     const std::vector<lab::Entry<Rocket>> ways{
-        {"from the speed before", {}, lab::entry<Rocket>(methods::euler).measure,
+        {"from the speed before",
+         {},
+         lab::entry<Rocket>(methods::euler).measure,
          lab::entry<Rocket>(methods::euler).seconds},
         {"from the mean speed",
          {Family::plain, Mark::square, "9 4"},
