@@ -1,6 +1,6 @@
 // The planet: Euler spirals out, the symplectic methods turn.
 #include <nutshell/apsides.hpp>
-#include <nutshell/lab/work_chart.hpp>
+#include <nutshell/lab/need_chart.hpp>
 #include <nutshell/newton_methods.hpp>
 #include <nutshell/newton_scenes.hpp>
 #include "program.hpp"
@@ -16,6 +16,7 @@ const auto entries = lab::entries<Planet>(newton_methods);
 /// What the page says of one method, over 20 orbits.
 struct History {
     std::string name, key;
+    Look look;
     std::vector<double> orbits, energy, momentum;  // relative changes, against time in orbits
     double largest_energy = 0, largest_momentum = 0, turn = 0;
     double tilt =
@@ -28,7 +29,7 @@ History history_of(const Method& method) {
     const Planet scene = Planet::for_orbits(21);
     const double energy = scene.energy(scene.start);
     const Vector3 momentum = angular_momentum(scene.start);
-    History h{method.name, method.key(), {}, {}, {}};
+    History h{method.name, method.key(), method.look, {}, {}, {}};
     Aphelia aphelia;
     lab::run(scene, method, 21 * steps_an_orbit, [&](const PointMass& planet, double t) {
         const double energy_change = (scene.energy(planet) - energy) / std::abs(energy);
@@ -57,7 +58,7 @@ void conservation(lab::Report& report) {
                      {}};
     lab::Table data{{"orbits", "method", "energy_change", "angular_momentum_change"}, {}};
     chart::Chart energy;
-    energy.title = "Who keeps the energy?";
+    energy.title = "Euler's energy jumps away; the other two come back";
     energy.subtitle = "Planet, e = 0.6, " + std::to_string(steps_an_orbit) + " steps a year.";
     energy.x = {"years", chart::Scale::linear, 0, 5};
     energy.y = {"relative change of the energy", chart::Scale::linear, -0.1, 0.5};
@@ -75,6 +76,7 @@ void conservation(lab::Report& report) {
             data.add({lab::exact_digits(h.orbits[i]), h.name, lab::exact_digits(h.energy[i]),
                       lab::exact_digits(h.momentum[i])});
         chart::Series series{h.name};
+        series.look = h.look;
         for (std::size_t i = 0; i < h.orbits.size() && h.orbits[i] <= 5; ++i)
             series.x.push_back(h.orbits[i]), series.y.push_back(h.energy[i]);
         series.draw = chart::Draw::line;
@@ -101,7 +103,7 @@ void orders(lab::Report& report) {
     const auto study = [&](const auto& method, long fewest) {
         const std::string name = method.name, key = method.key();
         chart::Series largest{name + " (largest)"}, at_end{name + " (at the end)"};
-        largest.style = name;
+        largest.look = method.look, at_end.look = variant(method.look);
         for (long steps = fewest; steps <= 8 * fewest; steps *= 2) {
             const auto m = lab::measure(scene, method, steps);
             largest.x.push_back(m.dt), at_end.x.push_back(m.dt);
@@ -126,15 +128,11 @@ void orders(lab::Report& report) {
 
 void cost(lab::Report& report) {
     const Planet scene = Planet::for_orbits(3);
-    const std::string need =
-        scene.need.reason + " (" + lab::rounded(scene.need.tolerance) + " a) for three orbits";
-    const auto ways = lab::ways_to_meet(scene, entries, 100, 400'000);
-    report.say("Needs " + need +
-               ". The least that gives it (Euler does not with 400 000 steps):");
-    report.print(lab::ways_table(ways, scene.need));
-    report.number("planet.need", scene.need.tolerance, "a");
-    for (const auto& way : ways) {
-        const std::string key = key_of(way.method);
+    const auto least = lab::least_of_each(scene, entries, 100, 400'000);
+    lab::report_least(report, "planet", least, scene.need);
+    for (const auto& way : least) {
+        if (!way.met) continue;
+        const std::string key = key_of(way.name);
         report.number("planet." + key + ".steps_an_orbit",
                       static_cast<double>(way.run.steps) / 3);
         report.number("planet." + key + ".microseconds_an_orbit",
@@ -146,15 +144,12 @@ void cost(lab::Report& report) {
 
     const auto curves = lab::work_precision(
         scene, entries, {300, 600, 1200, 2400, 4800, 9600, 19200, 38400, 76800});
-    report.data("planet.csv", lab::work_precision_data(curves));
-    for (const auto axis : {lab::Cost::evaluations, lab::Cost::time}) {
-        chart::Chart chart = lab::work_precision_chart(curves, scene.need, axis);
-        chart.title = "Which method gives a pixel for the least work?";
-        chart.subtitle = "Planet, e = 0.6, three orbits. Down and left is better.";
-        chart.guides = {-1, -2};
-        chart::write_svg(chart, report.path(axis == lab::Cost::evaluations ? "planet.svg"
-                                                                           : "planet_time.svg"));
-    }
+    lab::draw_study(report,
+                    {"planet",
+                     "Planet, e = 0.6, three orbits.",
+                     "Verlet's error falls twice as steeply",
+                     {-1, -2}},
+                    curves, least, scene.need);
     const auto& finest = curves[2].runs.back();
     const double per_step = finest.seconds_per_second * finest.dt;
     report.number("planet.verlet.nanoseconds_a_step", per_step * 1e9, "ns");

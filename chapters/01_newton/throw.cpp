@@ -1,5 +1,5 @@
 // The straight line and the thrown ball: what the three methods do when the force never changes.
-#include <nutshell/lab/work_chart.hpp>
+#include <nutshell/lab/need_chart.hpp>
 #include <nutshell/newton_methods.hpp>
 #include <nutshell/newton_scenes.hpp>
 #include "program.hpp"
@@ -57,28 +57,19 @@ void thrown_ball(lab::Report& report) {
     compare(methods::verlet, Kicked::half_and_half);
     report.print(table);
 
-    const auto ways = lab::ways_to_meet(scene, lab::entries<ThrownBall>(newton_methods));
-    report.say("Needs " + scene.need.reason + " (" + lab::rounded(scene.need.tolerance) +
-               " m). The least that gives it:");
-    report.print(lab::ways_table(ways, scene.need));
-    report.number("throw.need", scene.need.tolerance, "m");
+    const auto methods = lab::entries<ThrownBall>(newton_methods);
+    const auto least = lab::least_of_each(scene, methods);
+    lab::report_least(report, "throw", least, scene.need);
     report.number("throw.duration", scene.duration, "s");
-    for (const auto& way : ways) {
-        const std::string key = key_of(way.method);
-        report.number("throw." + key + ".steps", static_cast<double>(way.run.steps));
-        report.number("throw." + key + ".step", way.run.dt, "s");
-        report.number("throw." + key + ".evaluations", static_cast<double>(way.run.evaluations));
-    }
-
     const auto curves =
-        lab::work_precision(scene, lab::entries<ThrownBall>(newton_methods),
-                            {3, 6, 12, 30, 90, 180, 432, 1000, 3000, 10000}, false);
-    report.data("throw.csv", lab::work_precision_data(curves));
-    chart::Chart chart = lab::work_precision_chart(curves, scene.need, lab::Cost::evaluations);
-    chart.title = "One method has nothing to improve";
-    chart.subtitle = "Thrown ball, 3 s, constant force. Down and left is better.";
-    chart.guides = {-1};
-    chart::write_svg(chart, report.path("throw.svg"));
+        lab::work_precision(scene, methods, {3, 6, 12, 30, 90, 180, 432, 1000, 3000, 10000});
+    lab::draw_study(report,
+                    {"throw",
+                     "Thrown ball, 3 s, constant force.",
+                     "Both Eulers fall by ten for ten times the work",
+                     {-1},
+                     "Verlet is exact at any step: two evaluations will do"},
+                    curves, least, scene.need);
 }
 
 }  // namespace nutshell

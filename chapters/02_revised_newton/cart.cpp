@@ -1,6 +1,7 @@
 // The leaky cart: what K = m v says when the mass changes, and what is true.
+#include <nutshell/lab/need_chart.hpp>
+#include <nutshell/newton_methods.hpp>
 #include <nutshell/revised_newton_scenes.hpp>
-#include "methods.hpp"
 #include "program.hpp"
 
 namespace nutshell {
@@ -71,8 +72,9 @@ void leaky_cart(lab::Report& report) {
         "cart.printed.thrust",
         (printed.start.flow.rate * relative_velocity(printed.start.flow, printed.start, 0)).x(),
         "N");
-    report_ways(report, "cart", cart.need,
-                lab::ways_to_meet(cart, lab::entries<LeakyCart>(newton_methods)));
+    lab::report_least(report, "cart",
+                      lab::least_of_each(cart, lab::entries<LeakyCart>(newton_methods)),
+                      cart.need);
 
     lab::Table data{{"t", "truth", "printed_ground", "printed_moving_4", "printed_moving_10"},
                     {}};
@@ -88,15 +90,15 @@ void leaky_cart(lab::Report& report) {
         "Leaky cart, no force. Reading K = m v with F = 0; the truth is the pale line.";
     chart.x = {"time [s]"};
     chart.y = {"speed over the ground [m/s]", chart::Scale::linear, 8, 22};
-    const auto line = [](std::string name, const Told& told, chart::Draw draw,
-                         std::string style) {
-        chart::Series series{std::move(name), told.t, told.speed, draw, std::move(style), {}};
-        return series;
+    chart::Series truth_line{"truth", truth.t, truth.speed, chart::Draw::ghost};
+    truth_line.look = Look{Family::exact};
+    chart.series.push_back(truth_line);
+    const auto line = [&](const std::string& name, const Told& told) {
+        chart.series.push_back({name, told.t, told.speed, chart::Draw::line});
     };
-    chart.series.push_back(line("truth", truth, chart::Draw::ghost, "exact"));
-    chart.series.push_back(line("computed on the ground", ground, chart::Draw::line, ""));
-    chart.series.push_back(line("computed at 4 m/s", walker, chart::Draw::line, ""));
-    chart.series.push_back(line("computed on the cart", passenger, chart::Draw::line, ""));
+    line("computed on the ground", ground);
+    line("computed at 4 m/s", walker);
+    line("computed on the cart", passenger);
     chart::write_svg(chart, report.path("cart.svg"));
 }
 

@@ -1,7 +1,8 @@
 // The throw of chapter 1 in momentum, and many forces at once.
 #include <algorithm>
+#include <nutshell/lab/need_chart.hpp>
+#include <nutshell/newton_methods.hpp>
 #include <nutshell/revised_newton_scenes.hpp>
-#include "methods.hpp"
 #include "program.hpp"
 
 namespace nutshell {
@@ -53,8 +54,9 @@ void many_forces(lab::Report& report) {
     report.number("forces.orders", orders);
     report.number("forces.spread", spread, "m");
     report.number("forces.path", first.position.norm(), "m");
-    report_ways(report, "forces", scene.need,
-                lab::ways_to_meet(ManyForces{}, lab::entries<ManyForces>(newton_methods)));
+    lab::report_least(report, "forces",
+                      lab::least_of_each(ManyForces{}, lab::entries<ManyForces>(newton_methods)),
+                      scene.need);
 }
 
 }  // namespace nutshell

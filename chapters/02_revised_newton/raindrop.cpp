@@ -1,6 +1,7 @@
 // The raindrop: mass that arrives at rest, where the printed equations hold as they stand.
+#include <nutshell/lab/need_chart.hpp>
+#include <nutshell/newton_methods.hpp>
 #include <nutshell/revised_newton_scenes.hpp>
-#include "methods.hpp"
 #include "program.hpp"
 
 namespace nutshell {
@@ -45,20 +46,17 @@ void raindrop(lab::Report& report) {
                " m/s. Its sideways speed is down from 3 to " + lab::rounded(v.x(), "%.2f") +
                " m/s.");
 
-    report_ways(report, "drop", drop.need,
-                lab::ways_to_meet(drop, lab::entries<Raindrop>(newton_methods)));
-    const auto curves = lab::work_precision(drop, lab::entries<Raindrop>(newton_methods),
-                                            {5, 10, 20, 50, 100, 300, 1000, 3000, 10000, 30000});
-    report.data("raindrop.csv", lab::work_precision_data(curves));
-    chart::Chart chart = lab::work_precision_chart(curves, drop.need, lab::Cost::evaluations);
-    chart.title = "The printed step works; half a kick works better";
-    chart.subtitle = "Raindrop, 4 s through a cloud at rest. Down and left is better.";
-    chart.guides = {-1, -2};
-    chart::write_svg(chart, report.path("raindrop.svg"));
-    chart::Chart time = lab::work_precision_chart(curves, drop.need, lab::Cost::time);
-    time.title = "The same in processor time";
-    time.subtitle = chart.subtitle;
-    chart::write_svg(time, report.path("raindrop_time.svg"));
+    const auto methods = lab::entries<Raindrop>(newton_methods);
+    const auto least = lab::least_of_each(drop, methods);
+    lab::report_least(report, "drop", least, drop.need);
+    const auto curves =
+        lab::work_precision(drop, methods, {5, 10, 20, 50, 100, 300, 1000, 3000, 10000, 30000});
+    lab::draw_study(report,
+                    {"raindrop",
+                     "Raindrop, 4 s through a cloud at rest.",
+                     "The printed step works; half a kick works better",
+                     {-1, -2}},
+                    curves, least, drop.need);
 }
 
 }  // namespace nutshell

@@ -1,6 +1,7 @@
 // The rocket: from parcels to Tsiolkovsky, and the books of momentum.
+#include <nutshell/lab/need_chart.hpp>
+#include <nutshell/newton_methods.hpp>
 #include <nutshell/revised_newton_scenes.hpp>
-#include "methods.hpp"
 #include "program.hpp"
 
 namespace nutshell {
@@ -18,7 +19,7 @@ double gain_in_parcels(double ratio, long n, bool midway_parcels) {
 
 void gain_chart(lab::Report& report) {
     chart::Chart chart;
-    chart.title = "The gain depends on one thing: the mass ratio";
+    chart.title = "Few parcels gain too much; many follow the formula";
     chart.subtitle = "Rocket without gravity. Marks: few and many parcels. Formula: u ln(m₀/m).";
     chart.x = {"mass before over mass after, m₀/m", chart::Scale::logarithmic, 1, 20};
     chart.y = {"speed gained, in exhaust speeds", chart::Scale::linear, 0, 4};
@@ -84,18 +85,18 @@ void rocket(lab::Report& report) {
              const Rocket other = Rocket::with_midway(scene);
              return lab::time_of([&] { lab::keep(lab::run(other, methods::euler, steps)); });
          }}};
-    report_ways(report, "rocket", before.need, lab::ways_to_meet(before, ways));
+    const auto least = lab::least_of_each(before, ways);
+    lab::report_least(report, "rocket", least, before.need);
     const auto curves =
-        lab::work_precision(before, ways, {1, 3, 10, 30, 100, 300, 1000, 3000, 10000}, false);
-    report.data("rocket.csv", lab::work_precision_data(curves));
-    chart::Chart chart = lab::work_precision_chart(curves, before.need, lab::Cost::evaluations);
-    chart.title = "Both balance the books to the last digit";
-    chart.subtitle =
-        "Rocket. Each parcel measured from the speed before it leaves, or from the mean.";
-    chart.x.name = "parcels";
-    chart.y.name = "largest error of the speed, over the whole gain";
-    chart.guides = {-1, -2};
-    chart::write_svg(chart, report.path("rocket.svg"));
+        lab::work_precision(before, ways, {1, 3, 10, 30, 100, 300, 1000, 3000, 10000});
+    lab::draw_study(report,
+                    {"rocket",
+                     "Rocket. Each parcel measured from the speed before it leaves, or the mean.",
+                     "Measured from the mean speed, the error falls twice as steeply",
+                     {-1, -2},
+                     "Measured from the mean speed, a few parcels will do",
+                     "parcels"},
+                    curves, least, before.need);
     gain_chart(report);
 }
 
@@ -128,16 +129,17 @@ void launch(lab::Report& report) {
                            return lab::time_of(
                                [&] { lab::keep(lab::run(other, methods::verlet, n)); });
                        }});
-    report_ways(report, "launch", scene.need, lab::ways_to_meet(scene, entries));
+    const auto least = lab::least_of_each(scene, entries);
+    lab::report_least(report, "launch", least, scene.need);
     const auto curves =
         lab::work_precision(scene, entries, {3, 10, 30, 100, 300, 1000, 3000, 10000});
-    report.data("launch.csv", lab::work_precision_data(curves));
-    chart::Chart chart = lab::work_precision_chart(curves, scene.need, lab::Cost::evaluations);
-    chart.title = "A chain is as good as its worst link";
-    chart.subtitle =
-        "Launch under gravity, 1.5 s. Second order needs Verlet and midway parcels, both.";
-    chart.guides = {-1, -2};
-    chart::write_svg(chart, report.path("launch.svg"));
+    lab::draw_study(report,
+                    {"launch",
+                     "Water rocket under gravity, 1.5 s.",
+                     "Only Verlet with midway parcels falls at second order",
+                     {-1, -2},
+                     "A chain is as good as its worst link: Verlet alone gains nothing"},
+                    curves, least, scene.need);
 }
 
 namespace {
@@ -160,7 +162,7 @@ double books_of(lab::Report& report, const Rocket& flight, Eigen::Index axis,
                   lab::exact_digits(exhaust.y.back()), lab::exact_digits(total.y.back()),
                   lab::exact_digits(law.y.back())});
     });
-    law.draw = chart::Draw::ghost, law.style = "exact";
+    law.draw = chart::Draw::ghost, law.look = Look{Family::exact};
     rocket.draw = exhaust.draw = total.draw = chart::Draw::line;
     chart.series = {law, rocket, exhaust, total};
     report.data(file + ".csv", data);

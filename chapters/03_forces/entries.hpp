@@ -2,7 +2,7 @@
 #pragma once
 #include <nutshell/forces_methods.hpp>
 #include <nutshell/forces_scenes.hpp>
-#include <nutshell/lab/work_chart.hpp>
+#include <nutshell/lab/need_chart.hpp>
 
 namespace nutshell {
 
@@ -72,44 +72,6 @@ lab::Entry<Planet> clock_entry(const Method& method) {
                     lab::keep(run_until({scene.start}, method.start(scene), scene.duration, ds));
                 });
             }};
-}
-
-/// Prints and keeps the least of every method that meets the scene's need.
-template <class Scene>
-void least_work(lab::Report& report, const std::string& scene_key, const Scene& scene,
-                const std::vector<lab::Entry<Scene>>& methods, long fewest, long most) {
-    const auto ways = lab::ways_to_meet(scene, methods, fewest, most);
-    report.say("Needs " + lab::rounded(scene.need.tolerance) + " " + scene.need.unit + ": " +
-               scene.need.reason + ". The least that gives it:");
-    report.print(lab::ways_table(ways, scene.need));
-    report.number(scene_key + ".need", scene.need.tolerance, scene.need.unit);
-    for (const auto& way : ways) {
-        const std::string key = scene_key + "." + key_of(way.method);
-        report.number(key + ".steps", static_cast<double>(way.run.steps));
-        report.number(key + ".step", way.run.dt, "s");
-        report.number(key + ".evaluations", static_cast<double>(way.run.evaluations));
-        report.number(key + ".error", way.run.max_error, scene.need.unit);
-    }
-}
-
-/// Draws a study on both cost axes and keeps its data. Runs that are off by more than `lost` are
-/// in the data only.
-inline void draw_study(lab::Report& report, const std::string& file,
-                       std::vector<lab::Curve> curves, const Need& need, double lost,
-                       const std::string& title, const std::string& subtitle,
-                       const std::vector<double>& guides) {
-    report.data(file + ".csv", lab::work_precision_data(curves));
-    for (auto& curve : curves)
-        std::erase_if(curve.runs, [&](const auto& run) { return !(run.max_error <= lost); });
-    for (const auto cost : {lab::Cost::evaluations, lab::Cost::time}) {
-        chart::Chart chart = lab::work_precision_chart(curves, need, cost);
-        chart.title = title;
-        chart.subtitle = subtitle;
-        chart.guides = guides;
-        chart.height = 520;
-        chart::write_svg(
-            chart, report.path(file + (cost == lab::Cost::evaluations ? ".svg" : "_time.svg")));
-    }
 }
 
 }  // namespace nutshell

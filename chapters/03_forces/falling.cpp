@@ -14,7 +14,8 @@ const auto entries = lab::entries<FallingWithDrag>(std::tuple{
     methods::rk4, methods::dormand_prince, methods::exponential_verlet_inside,
     methods::exponential_yoshida4, methods::exponential_kick});
 
-/// The speed of a body that drag alone slows down, x = gamma dt/m, as four methods see it.
+/// The speed of a body that drag alone slows down, with gamma dt/m = 0.5, 1.5 and 2.5, and with the
+/// drag of the step before.
 void slowing_down(lab::Report& report) {
     struct Slowing {
         PointMass start{1, {0, 0, 0}, {1, 0, 0}};
@@ -23,35 +24,50 @@ void slowing_down(lab::Report& report) {
             return linear_drag_force(drag, body.velocity);
         }
     };
-    chart::Chart chart;
-    chart.title = "The same drag, four steps";
-    chart.subtitle =
-        "Velocity of a body that only drag slows, over its start. x = γ dt/m, one step each "
-        "unit.";
-    chart.x = {"steps", chart::Scale::linear, 0, 16};
-    chart.y = {"velocity over its start", chart::Scale::linear, -2.5, 2.5};
+    constexpr int steps = 10;
+    chart::Figure figure;
+    figure.title = "The longer the step, the more Euler's drag turns the body round";
+    figure.subtitle =
+        "The velocity of a body that only drag slows, over its start; x = γ dt/m. Pale: exact.";
     lab::Table data{{"method", "x", "step", "velocity"}, {}};
-    const auto follow = [&](const std::string& name, const std::string& style, const auto& method,
-                            double x) {
+    const auto follow = [&](chart::Chart& chart, const auto& method, double x) {
         const Slowing scene{{1, {0, 0, 0}, {1, 0, 0}}, x};
         auto step = method.start(scene);
         PointMass body = scene.start;
-        chart::Series series{name};
-        series.style = style, series.draw = chart::Draw::line_and_marks;
-        for (int n = 0; n <= 16; ++n) {
+        chart::Series series{method.name};
+        series.look = method.look, series.draw = chart::Draw::line_and_marks;
+        for (int n = 0; n <= steps; ++n) {
             series.x.push_back(n), series.y.push_back(body.velocity.x());
-            data.add(
-                {name, lab::rounded(x), std::to_string(n), lab::exact_digits(body.velocity.x())});
+            data.add({method.name, lab::rounded(x), std::to_string(n),
+                      lab::exact_digits(body.velocity.x())});
             body = step(body, scene, 0.0, 1.0);
         }
         chart.series.push_back(std::move(series));
     };
-    follow("Euler, x = 0.5", "Euler", methods::euler, 0.5);
-    follow("Euler, x = 1.5", "Euler", methods::euler, 1.5);
-    follow("stale drag, x = 1.1", "printed step", mistakes::stale_euler, 1.1);
-    follow("exponential kick, x = 1.5", "exponential kick", methods::exponential_kick, 1.5);
+    const auto panel = [&](const std::string& title, double x) {
+        chart::Chart chart;
+        chart.title = title, chart.height = 300, chart.cut = true;
+        chart.x = {"steps", chart::Scale::linear, 0, steps};
+        chart.y = {"", chart::Scale::linear, -2, 2};
+        chart::Series exact{"exact"};
+        exact.look = Look{Family::exact};
+        for (int i = 0; i <= 10 * steps; ++i)
+            exact.x.push_back(0.1 * i), exact.y.push_back(std::exp(-x * 0.1 * i));
+        chart.series.push_back(std::move(exact));
+        return chart;
+    };
+    chart::Chart small = panel("x = 0.5: slows down, a little too fast", 0.5);
+    chart::Chart middle = panel("x = 1.5: turned round in every step", 1.5);
+    chart::Chart large = panel("x = 2.5: drag makes it faster and faster", 2.5);
+    chart::Chart stale = panel("x = 1.1, drag of the step before: grows too", 1.1);
+    follow(small, methods::euler, 0.5);
+    follow(middle, methods::euler, 1.5);
+    follow(large, methods::euler, 2.5);
+    follow(large, methods::exponential_kick, 2.5);
+    follow(stale, mistakes::stale_euler, 1.1);
+    figure.panels = {small, middle, large, stale};
     report.data("slowing.csv", data);
-    chart::write_svg(chart, report.path("slowing.svg"));
+    chart::write_svg(figure, report.path("slowing.svg"));
 }
 
 }  // namespace
@@ -88,12 +104,17 @@ void falling(lab::Report& report) {
         report.number("falling." + key_of(method.name) + ".order", order);
     }
     report.print(orders);
-    least_work(report, "falling", scene, entries, 1, 100'000);
-    auto curves =
+    const auto least = lab::least_of_each(scene, entries, 1, 100'000);
+    lab::report_least(report, "falling", least, scene.need);
+    const auto curves =
         lab::work_precision(scene, entries, {1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000});
-    draw_study(report, "falling", curves, scene.need, 60,
-               "Drag: one method has nothing to improve",
-               "A stone sinks with linear drag for 5 s. Down and left is better.", {-1, -2, -4});
+    lab::draw_study(report,
+                    {"falling",
+                     "A stone sinks with linear drag for 5 s.",
+                     "Slopes are orders; the exponential kick has no error to shrink",
+                     {-1, -2, -4},
+                     "The exponential kick is exact: one step for the whole fall"},
+                    curves, least, scene.need);
     slowing_down(report);
 
     const FallingInAir air;

@@ -63,7 +63,7 @@ struct Linear {
 template <class Method>
 chart::Region general_region(const Method& method) {
     const double left = -4, right = 0.8, top = 3.2;
-    chart::Region region{method.name, left, right, -top, top, grid, grid, {}, method.name};
+    chart::Region region{method.name, left, right, -top, top, grid, grid, {}, {}, method.look};
     for (int i = 0; i < grid; ++i)
         for (int j = 0; j < grid; ++j) {
             const Linear scene{left + (right - left) * j / (grid - 1),
@@ -119,7 +119,7 @@ void general_regions(lab::Report& report) {
 template <class Method>
 chart::Region spring_region(const Method& method) {
     const double left = -2.4, right = 0.6, top = 2.6;
-    chart::Region region{"", left, right, 0, top, grid, grid, {}, method.name};
+    chart::Region region{"", left, right, 0, top, grid, grid, {}, {}, method.look};
     for (int i = 0; i < grid; ++i)
         for (int j = 0; j < grid; ++j) {
             const Complex z(left + (right - left) * j / (grid - 1), top * i / (grid - 1));

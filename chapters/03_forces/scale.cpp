@@ -2,6 +2,7 @@
 // from what the machine can.
 #include "scale.hpp"
 #include <nutshell/chart/chart.hpp>
+#include <nutshell/newton_methods.hpp>
 #include <nutshell/spring_limits.hpp>
 #include "step_times.hpp"
 
@@ -24,6 +25,7 @@ void draw_time_against_number(lab::Report& report, const std::vector<Kind>& kind
     chart.y = {"time per particle-step [ns]", chart::Scale::logarithmic};
     for (const Kind& kind : kinds) {
         chart::Series one{kind.name}, floor{"", {}, {}, chart::Draw::theory};
+        floor.like_last = true;
         for (const Times& t : kind.times) {
             const auto n = static_cast<double>(t.particles);
             one.x.push_back(n), one.y.push_back(t.one_pass);
@@ -52,13 +54,15 @@ void draw_against_floor(lab::Report& report, const std::vector<Kind>& kinds) {
                            std::abs(std::log(double(b.particles) / double(n)));
                 });
             const std::string of = (n == 1000 ? "10³ " : "10⁶ ") + kind.plural;
-            const auto bar = [&](const std::string& way, double time, const std::string& style) {
-                chart.bars.push_back({of + way, time, near->floor(), style,
-                                      lab::rounded(time, "%.2g ns, ") +
-                                          lab::rounded(time / near->floor(), "%.1f× the floor")});
+            const auto bar = [&](const std::string& way, double time, const Look& look) {
+                chart::Bar one{of + way, time, near->floor()};
+                one.text = lab::rounded(time, "%.2g ns, ") +
+                           lab::rounded(time / near->floor(), "%.1f× the floor");
+                one.look = look;
+                chart.bars.push_back(one);
             };
-            bar(", verbs", near->verbs, "semi-implicit Euler, three verbs");
-            bar(", one pass", near->one_pass, "semi-implicit Euler");
+            bar(", verbs", near->verbs, variant(methods::semi_implicit_euler.look));
+            bar(", one pass", near->one_pass, methods::semi_implicit_euler.look);
             const std::string word = kind.word + (n == 1000 ? "_cache" : "_memory");
             report.number("scale." + word + ".verbs", near->verbs, "ns");
             report.number("scale." + word + ".one_pass", near->one_pass, "ns");
@@ -83,7 +87,8 @@ void finer_cloth(lab::Report& report, const std::vector<Times>& times) {
     chart.x = {"points along a side", chart::Scale::logarithmic};
     chart.y = {"processor time per simulated second [s/s]", chart::Scale::logarithmic};
     chart.tolerance = {1, "as fast as the clock, on one core"};
-    chart::Series cost{"", {}, {}, chart::Draw::line_and_marks, "semi-implicit Euler"};
+    chart::Series cost{"", {}, {}, chart::Draw::line_and_marks};
+    cost.look = methods::semi_implicit_euler.look;
     double finest_in_time = 0;
     for (const Times& t : times) {
         const double n = std::sqrt(static_cast<double>(t.particles)),

@@ -21,7 +21,7 @@ const auto damped_methods = lab::entries<MassOnSpring>(
 void energy_of_ten_periods(lab::Report& report, const MassOnSpring& scene) {
     const double theta = 0.5, dt = theta / scene.omega();
     chart::Chart chart;
-    chart.title = "Who keeps the energy?";
+    chart.title = "Some gain energy, some lose it; two swing round the truth";
     chart.subtitle = "Mass on a spring, ω dt = 0.5 (about 13 steps a period).";
     chart.x = {"periods", chart::Scale::linear, 0, 10};
     chart.y = {"energy over its start", chart::Scale::linear, 0, 2};
@@ -30,6 +30,7 @@ void energy_of_ten_periods(lab::Report& report, const MassOnSpring& scene) {
                     methods::implicit_midpoint},
          [&](const auto& method) {  // the energy over its start, once a step
              chart::Series series{method.name};
+             series.look = method.look;
              series.draw = chart::Draw::line;
              auto step = method.start(scene);
              PointMass s = scene.start;
@@ -62,7 +63,7 @@ void overflow(lab::Report& report) {
     chart.y = {"decimal exponent", chart::Scale::linear, 0, 320};
     chart.levels_y = {{std::log10(std::numeric_limits<double>::max()), "the largest double"}};
     chart::Series energy{"energy"}, amplitude{"amplitude"};
-    energy.style = "Euler", amplitude.style = "Euler, amplitude";
+    energy.look = methods::euler.look, amplitude.look = variant(methods::euler.look);
     energy.draw = amplitude.draw = chart::Draw::line;
     lab::Table data{{"periods", "energy_over_start", "amplitude"}, {}};
     PointMass s = scene.start;
@@ -96,14 +97,16 @@ void overflow(lab::Report& report) {
 }
 
 template <class Methods>
-void study(lab::Report& report, const MassOnSpring& scene, const std::string& key,
-           const Methods& methods, const std::string& title, const std::string& subtitle) {
-    least_work(report, key, scene, methods, 10, 100'000);  // Euler, undamped, would take 600 000
+void study(lab::Report& report, const MassOnSpring& scene, const Methods& methods,
+           const lab::StudyWords& words) {
+    const auto least =
+        lab::least_of_each(scene, methods, 10, 100'000);  // Euler would take 600 000
+    lab::report_least(report, words.key, least, scene.need);
     const auto curves =
         lab::work_precision(scene, methods, {10, 20, 40, 80, 160, 320, 640, 1280, 2560, 5120});
-    draw_study(report, key, curves, scene.need, 2.5, title, subtitle, {-1, -2, -4, -8});
+    lab::draw_study(report, words, curves, least, scene.need);
     for (const auto& curve : curves)
-        report.number(key + "." + key_of(curve.name) + ".nanoseconds",
+        report.number(words.key + "." + key_of(curve.name) + ".nanoseconds",
                       1e9 * curve.runs[7].seconds_per_second * curve.runs[7].dt, "ns");  // a step
 }
 
@@ -112,10 +115,11 @@ void study(lab::Report& report, const MassOnSpring& scene, const std::string& ke
 void springs(lab::Report& report) {
     const MassOnSpring scene;
     report.heading("Mass on a spring: period 1 s, ten periods");
-    study(report, scene, "spring", undamped_methods,
-          "Which method gives a pixel for the least work?",
-          "Mass on a spring, ten periods. Down and left is better. Runs that blew up are left "
-          "out.");
+    study(report, scene, undamped_methods,
+          {"spring",
+           "Mass on a spring, ten periods.",
+           "Slopes are orders: high order wins when the need is strict",
+           {-1, -2, -4, -8}});
     energy_of_ten_periods(report, scene);
     overflow(report);
 
@@ -134,9 +138,11 @@ void springs(lab::Report& report) {
         report.number("damped." + key_of(method.name) + ".order", order);
     }
     report.print(orders);
-    study(report, damped, "damped", damped_methods, "Drag inside the kick costs an order",
-          "Damped spring, ratio 0.1, ten seconds. Down and left is better. Runs that blew up are "
-          "left out.");
+    study(report, damped, damped_methods,
+          {"damped",
+           "Damped spring, ratio 0.1, ten seconds.",
+           "Drag inside the kick costs Verlet an order",
+           {-1, -2, -4, -8}});
 }
 
 }  // namespace nutshell

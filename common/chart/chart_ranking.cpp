@@ -59,7 +59,7 @@ std::vector<Lane> lanes_of(const std::vector<Row>& rows, std::size_t columns, do
     for (std::size_t k = 0; k < columns; ++k) {
         double least = INFINITY, most = 0, text = 0;
         for (const Row& row : rows)
-            if (!row.values.empty())
+            if (!row.values.empty() && row.values[k] > 0)  // a cost of nothing stands at the left end
                 least = std::min(least, row.values[k]), most = std::max(most, row.values[k]);
         for (const Row& row : rows)
             if (!row.values.empty())

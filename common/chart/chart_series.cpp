@@ -107,7 +107,9 @@ std::vector<Style> styles_of(const Chart& chart) {
             styles.push_back(is_method(name) ? style_of(name) : plain_style(plain++));
     };
     for (const Series& series : chart.series) {
-        if (series.quiet)
+        if (series.like_last && !styles.empty())
+            styles.push_back(Style(styles.back()));
+        else if (series.quiet)
             styles.push_back(style_of(Look{Family::peer}));
         else
             add(series);

@@ -35,13 +35,14 @@ Table work_precision_data(const std::vector<Curve>& curves) {
     return table;
 }
 
-Table ways_table(const std::vector<Choice>& ways, const Need& need) {
+Table least_table(const std::vector<Least>& all, const Need& need) {
     Table table{
         {"method", "steps", "dt [s]", "evaluations", "error [" + need.unit + "]", "µs per simulated s"}, {}};
-    for (const auto& way : ways)
-        table.add({way.method, std::to_string(way.run.steps), rounded(way.run.dt),
-                   std::to_string(way.run.evaluations), rounded(way.run.max_error),
-                   rounded(1e6 * way.run.seconds_per_second)});
+    for (const auto& way : all)
+        if (way.met)
+            table.add({way.name, std::to_string(way.run.steps), rounded(way.run.dt),
+                       std::to_string(way.run.evaluations), rounded(way.run.max_error),
+                       rounded(1e6 * way.run.seconds_per_second)});
     return table;
 }
 

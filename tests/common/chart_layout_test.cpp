@@ -79,6 +79,11 @@ TEST_CASE("a ranking puts the least first and who does not get there last, with 
     CHECK(notes == std::vector<std::string>{"1020, the least", "2.40 (2.0\u00d7)", "4080 (4.0\u00d7)",
                                             "1.20, the least", "120\u2009200 (118\u00d7)",
                                             "124 (103\u00d7)"});
+    Ranking free_of_charge = ranking();
+    free_of_charge.rows[0].values[0] = 0;  // has no place on a logarithmic axis
+    const auto free_elements = read_svg(wide_layout(svg(free_of_charge)));
+    CHECK(of_class(free_elements, "note").at(0).text == "none");
+    CHECK(of_class(free_elements, "note").at(2).text == "1020, the least");
     Ranking wrong = ranking();
     wrong.rows[0].values.pop_back();
     CHECK_THROWS_AS(svg(wrong), std::invalid_argument);

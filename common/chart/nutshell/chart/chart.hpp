@@ -55,6 +55,7 @@ struct Series {
     std::string style = {};               ///< look like this method; empty = like `name`
     std::vector<std::string> notes = {};  ///< for the tooltips, one a point: "dt = 1/60 s"
     std::optional<Look> look = {};        ///< of the method it is; none = no method: the next plain style
+    bool like_last = false;               ///< in the colours of the series before it: its floor, its theory
     bool quiet = false;  ///< thin and grey, without marks and label: named in a line below the chart
 };
 

@@ -57,16 +57,22 @@ std::vector<Curve> work_precision(const Scene& scene, const std::vector<Entry<Sc
     return curves;
 }
 
-/// The fewest steps with which a method meets the scene's need (maximum error within tolerance), or none up
-/// to `most`. Doubles from `fewest` until it is met, then bisects; found exactly where the error falls
-/// steadily with the step.
+/// How a method fared with a need: the run with the fewest steps that meets it, or the one with the most tried.
+struct Attempt {
+    Measurement run;
+    bool met;
+};
+
+/// Looks for the fewest steps with which a method keeps the largest error within `tolerance`. Doubles from `fewest`
+/// until it is met or `most` are not enough, then bisects; found exactly where the error falls steadily with the
+/// step.
 template <class Scene>
-std::optional<Measurement> fewest_steps(const Scene& scene, const Entry<Scene>& method, double tolerance,
-                                        long fewest = 1, long most = 10'000'000) {
+Attempt try_to_meet(const Scene& scene, const Entry<Scene>& method, double tolerance, long fewest = 1,
+                    long most = 10'000'000) {
     long low = 0, high = fewest;
     Measurement found = method.measure(scene, high);
     while (!(found.max_error <= tolerance)) {
-        if (high >= most) return std::nullopt;
+        if (high >= most) return {found, false};
         low = high, high = std::min(2 * high, most);
         found = method.measure(scene, high);
     }
@@ -78,28 +84,42 @@ std::optional<Measurement> fewest_steps(const Scene& scene, const Entry<Scene>& 
         else
             low = middle;
     }
-    return found;
+    return {found, true};
 }
 
-/// What it takes to meet a need: the method and the largest step that do, at the least cost in evaluations.
-struct Choice {
-    std::string method;
+/// The same, or none if it is not met.
+template <class Scene>
+std::optional<Measurement> fewest_steps(const Scene& scene, const Entry<Scene>& method, double tolerance,
+                                        long fewest = 1, long most = 10'000'000) {
+    const Attempt attempt = try_to_meet(scene, method, tolerance, fewest, most);
+    return attempt.met ? std::optional(attempt.run) : std::nullopt;
+}
+
+/// The least work with which a method meets a scene's need; or, if it does not, the most work tried.
+struct Least {
+    std::string name;
+    Look look;
     Measurement run;
+    bool met = true;
 };
 
-/// The fewest steps of every method that meets the scene's need, cheapest first.
+/// For every method, the fewest steps that meet the scene's need, timed; in the order of evaluations, and those that
+/// do not meet it last.
 template <class Scene>
-std::vector<Choice> ways_to_meet(const Scene& scene, const std::vector<Entry<Scene>>& methods,
+std::vector<Least> least_of_each(const Scene& scene, const std::vector<Entry<Scene>>& methods,
                                  long fewest = 1, long most = 10'000'000) {
-    std::vector<Choice> choices;
-    for (const auto& method : methods)
-        if (auto found = fewest_steps(scene, method, scene.need.tolerance, fewest, most)) {
-            found->seconds_per_second = method.seconds(scene, found->steps) / scene.duration;
-            choices.push_back({method.name, *found});
-        }
-    std::stable_sort(choices.begin(), choices.end(),
-                     [](const Choice& a, const Choice& b) { return a.run.evaluations < b.run.evaluations; });
-    return choices;
+    std::vector<Least> all;
+    for (const auto& method : methods) {
+        const Attempt attempt = try_to_meet(scene, method, scene.need.tolerance, fewest, most);
+        all.push_back({method.name, method.look, attempt.run, attempt.met});
+        if (attempt.met)
+            all.back().run.seconds_per_second = method.seconds(scene, attempt.run.steps) / scene.duration;
+    }
+    std::stable_sort(all.begin(), all.end(), [](const Least& a, const Least& b) {
+        if (a.met != b.met) return a.met;
+        return a.met ? a.run.evaluations < b.run.evaluations : a.run.max_error < b.run.max_error;
+    });
+    return all;
 }
 
 /// What this machine can do at best, measured in the same run: the yardstick of every time in a chart.

@@ -16,6 +16,6 @@ chart::Chart work_precision_chart(const std::vector<Curve>& curves, const Need& 
 Table work_precision_data(const std::vector<Curve>& curves);
 
 /// What it takes to meet the need, cheapest first: method, steps, dt, evaluations, error, time.
-Table ways_table(const std::vector<Choice>& ways, const Need& need);
+Table least_table(const std::vector<Least>& all, const Need& need);
 
 }  // namespace nutshell::lab

@@ -1,0 +1,123 @@
+#include <nutshell/lab/need_chart.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <nutshell/lab/work_chart.hpp>
+#include <nutshell/require.hpp>
+#include <set>
+
+namespace nutshell::lab {
+namespace {
+
+constexpr std::size_t most_coloured = 5;
+constexpr double highest_shown = 300, lowest_shown = 1.0 / 3000;  // errors, in tolerances
+
+bool timed(const std::vector<Least>& all) {
+    return std::all_of(all.begin(), all.end(), [](const Least& least) {
+        return !least.met || std::isfinite(least.run.seconds_per_second);
+    });
+}
+
+std::string thin_spaced(long count) {
+    std::string digits = std::to_string(count);
+    for (std::size_t i = digits.size(); count >= 10'000 && i > 3; i -= 3) digits.insert(i - 3, "\u2009");
+    return digits;
+}
+
+}  // namespace
+
+std::string finding(const std::vector<Least>& all) {
+    require(!all.empty() && all.front().met, "finding: no method meets the need: there is no least");
+    const Least& fewest = all.front();
+    if (!timed(all)) return fewest.name + " needs least work";
+    const Least* fastest = &fewest;
+    for (const Least& least : all)
+        if (least.met && least.run.seconds_per_second < fastest->run.seconds_per_second) fastest = &least;
+    if (fastest == &fewest) return fewest.name + " needs least work and least time";
+    return fewest.name + " asks for the force least, " + fastest->name + " is fastest";
+}
+
+chart::Ranking need_chart(const std::vector<Least>& all, const Need& need, const std::string& words,
+                          const std::string& title) {
+    chart::Ranking ranking;
+    ranking.title = title.empty() ? finding(all) : title;
+    ranking.subtitle = words + " Each with the largest step that keeps it within " + rounded(need.tolerance) +
+                       " " + need.unit + ": " + need.reason + ".";
+    const bool with_time = timed(all);
+    ranking.columns = {"evaluations of the force"};
+    if (with_time) ranking.columns.push_back("processor time for a simulated second [\u00b5s]");
+    for (const Least& least : all) {
+        chart::Ranking::Row row{least.name, least.look};
+        if (least.met) {
+            row.values = {static_cast<double>(least.run.evaluations)};
+            if (with_time) row.values.push_back(1e6 * least.run.seconds_per_second);
+            row.note = "dt = " + rounded(least.run.dt) + " s, " + std::to_string(least.run.steps) + " steps";
+        } else {
+            row.instead =
+                "does not get there" + (std::isfinite(least.run.max_error)
+                                            ? ": with " + thin_spaced(least.run.steps) + " steps still " +
+                                                  rounded(least.run.max_error) + " " + need.unit + " off"
+                                            : " within " + thin_spaced(least.run.steps) + " steps");
+        }
+        ranking.rows.push_back(std::move(row));
+    }
+    return ranking;
+}
+
+chart::Figure work_figure(const std::vector<Curve>& curves, const std::vector<Least>& all, const Need& need,
+                          const std::string& title, const std::string& words,
+                          const std::vector<double>& guides) {
+    std::set<std::string> coloured;
+    std::set<Family> families;
+    for (const Least& least : all)
+        if (coloured.size() < most_coloured && families.insert(least.look.family).second)
+            coloured.insert(least.name);
+    const double top = highest_shown * need.tolerance, bottom = lowest_shown * need.tolerance;
+    chart::Figure figure{title, words, {}};
+    for (const Cost cost : {Cost::evaluations, Cost::time}) {
+        chart::Chart panel = work_precision_chart(curves, need, cost);
+        panel.cut = true, panel.guides = guides, panel.height = 460;
+        panel.y.from = bottom, panel.y.to = top;
+        double least = INFINITY, most = 0;
+        for (chart::Series& series : panel.series) {
+            series.quiet = coloured.count(series.name) == 0;
+            for (std::size_t i = 0; i < series.x.size(); ++i)
+                if (series.x[i] > 0 && series.y[i] >= bottom && series.y[i] <= top)
+                    least = std::min(least, series.x[i]), most = std::max(most, series.x[i]);
+        }
+        if (!(most > 0)) continue;  // not timed
+        panel.x.from = least / 1.5, panel.x.to = most * 1.5;
+        figure.panels.push_back(std::move(panel));
+    }
+    if (figure.panels.size() == 1) figure.width = 640;
+    return figure;
+}
+
+void report_least(Report& report, const std::string& key, const std::vector<Least>& all, const Need& need) {
+    const bool any = std::any_of(all.begin(), all.end(), [](const Least& least) { return least.met; });
+    report.say("Needs " + need.reason + " (" + rounded(need.tolerance) + " " + need.unit + "). " +
+               (any ? "The least that gives it:"
+                    : "No method gives it, however small the step: look for a wrong formula."));
+    if (any) report.print(least_table(all, need));
+    report.number(key + ".need", need.tolerance, need.unit);
+    for (const Least& least : all) {
+        if (!least.met) continue;
+        const std::string name = key + "." + key_of(least.name);
+        report.number(name + ".steps", static_cast<double>(least.run.steps));
+        report.number(name + ".step", least.run.dt, "s");
+        report.number(name + ".evaluations", static_cast<double>(least.run.evaluations));
+    }
+}
+
+void draw_study(Report& report, const StudyWords& words, const std::vector<Curve>& curves,
+                const std::vector<Least>& all, const Need& need) {
+    report.data(words.key + ".csv", work_precision_data(curves));
+    chart::Ranking lead = need_chart(all, need, words.scene, words.lead);
+    chart::Figure behind =
+        work_figure(curves, all, need, words.behind, words.scene + " Down and left is better.", words.guides);
+    lead.columns.front() = behind.panels.front().x.name = words.work;
+    chart::write_svg(lead, report.path(words.key + "_need.svg"));
+    chart::write_svg(behind, report.path(words.key + ".svg"));
+}
+
+}  // namespace nutshell::lab
