@@ -132,6 +132,17 @@ inline Ranking ranking() {
     return r;
 }
 
+inline Legend legend() {
+    Legend l{"What each look means", "Colour is the family, mark and dash the member."};
+    l.groups = {{"one step, explicit", {{"Euler", nutshell::Look{nutshell::Family::explicit_one_step}}}},
+                {"kicks and drifts",
+                 {{"Verlet", nutshell::Look{nutshell::Family::symplectic, nutshell::Mark::square}},
+                  {"semi-implicit Euler",
+                   nutshell::Look{nutshell::Family::symplectic, nutshell::Mark::triangle, "9 4"}}}},
+                {"exact", {{"exact", nutshell::Look{nutshell::Family::exact}}}}};
+    return l;
+}
+
 inline Figure panels() {
     Chart left = work_precision_chart(), right = time_series();
     left.title = "In evaluations", left.subtitle = "", right.title = "";
@@ -145,6 +156,7 @@ inline std::vector<std::pair<std::string, std::string>> pictures() {
     for (const Chart& chart : gallery()) all.emplace_back(chart.title, svg(chart));
     all.emplace_back(ranking().title, svg(ranking()));
     all.emplace_back(panels().title, svg(panels()));
+    all.emplace_back(legend().title, svg(legend()));
     return all;
 }
 

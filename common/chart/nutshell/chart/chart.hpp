@@ -142,6 +142,22 @@ struct Ranking {
     std::string name = {}, description = {};  ///< as of a Chart
 };
 
+/// What each look means: in groups, a line and a mark as a chart draws them, and the name.
+struct Legend {
+    struct Entry {
+        std::string name = {};
+        Look look = {};
+    };
+    struct Group {
+        std::string name = {};  ///< "explicit, one step"
+        std::vector<Entry> entries = {};
+    };
+    std::string title = {}, subtitle = {};
+    std::vector<Group> groups = {};
+    int width = 760;
+    std::string name = {}, description = {};  ///< as of a Chart
+};
+
 /// The cheapest method that meets the chart's tolerance: the point with the least x whose y is at most the
 /// tolerance, and so is that of every point of its series with greater x. None without a tolerance or without
 /// such a point.
@@ -153,11 +169,13 @@ std::optional<Ring> cheapest(const Chart& chart);
 std::string svg(const Chart& chart);
 std::string svg(const Figure& figure);
 std::string svg(const Ranking& ranking);
+std::string svg(const Legend& legend);
 
 /// Writes the picture, whole or not at all. @throws like `svg`, and std::runtime_error if the file cannot be
 /// written
 void write_svg(const Chart& chart, const std::filesystem::path& path);
 void write_svg(const Figure& figure, const std::filesystem::path& path);
 void write_svg(const Ranking& ranking, const std::filesystem::path& path);
+void write_svg(const Legend& legend, const std::filesystem::path& path);
 
 }  // namespace nutshell::chart
