@@ -140,7 +140,8 @@ That.
                                         "href=\"01_first.html#fig:planet\"",
                                         "16\u202f"
                                         "000",
-                                        "It begins.", "Second <i>(coming)</i></b> It goes on."});
+                                        "It begins.", "class=\"time\">about ", "<li class=\"coming\">",
+                                        "Second <i>(coming)</i>", "It goes on."});
     check_in_order(book.page("errata"), {"<tr id=\"E05\">", "inaccurate", "exactly",
                                          "href=\"01_first.html#eq:11star\">chapter 1, (11*)</a>"});
     check_in_order(book.page("source/src/code.hpp"), {"id=\"L-1\"", "never_closed"});
