@@ -72,6 +72,8 @@ chart::Figure work_figure(const std::vector<Curve>& curves, const std::vector<Le
     for (const Least& least : all)
         if (coloured.size() < most_coloured && families.insert(least.look.family).second)
             coloured.insert(least.name);
+    for (const Least& least : all)  // room left: the next best
+        if (coloured.size() < most_coloured) coloured.insert(least.name);
     const double top = highest_shown * need.tolerance, bottom = lowest_shown * need.tolerance;
     chart::Figure figure{title, words, {}};
     for (const Cost cost : {Cost::evaluations, Cost::time}) {

@@ -15,9 +15,9 @@ std::string finding(const std::vector<Least>& all);
 chart::Ranking need_chart(const std::vector<Least>& all, const Need& need, const std::string& words,
                           const std::string& title = {});
 
-/// Error against cost: a panel for evaluations and, where they were timed, one for processor time. The best method of
-/// each family is drawn in its colour, at most five, the others thin and grey; the range is what the need asks, from
-/// 300 times its tolerance to a 3000th of it.
+/// Error against cost: a panel for evaluations and, where they were timed, one for processor time. The best
+/// method of each family is drawn in its colour, then the next best, five in all, the others thin and grey;
+/// the range is what the need asks, from 300 times its tolerance to a 3000th of it.
 chart::Figure work_figure(const std::vector<Curve>& curves, const std::vector<Least>& all, const Need& need,
                           const std::string& title, const std::string& words,
                           const std::vector<double>& guides);
