@@ -2,8 +2,10 @@
 #include <algorithm>
 #include <map>
 #include <stdexcept>
+#include "clues.hpp"
 #include "conduct.hpp"
 #include "diagnosis.hpp"
+#include "slips.hpp"
 #include "text.hpp"
 
 namespace nutshell::judge {
@@ -74,6 +76,20 @@ class Check {
         return called;
     }
 
+    /// The first line of code outside the exercises that the learner's file has no longer; empty if all are there.
+    std::string changed_line(Number number) const {
+        const Marked& reference = chapter_.header_of(number).reference;
+        const std::string own = bare_code(*file_of(number).text);
+        for (std::size_t i = 0; i < reference.lines.size(); ++i) {
+            const std::string code = bare_code(reference.lines[i]);
+            const bool inside =
+                std::any_of(reference.bodies.begin(), reference.bodies.end(),
+                            [&](const Body& body) { return body.begin <= i && i <= body.end; });
+            if (!inside && code.size() > 3 && !contains(own, code)) return code;
+        }
+        return "";
+    }
+
     /// What the text alone tells of an exercise. What it cannot tell is asked.
     void read(Number number) {
         const File& file = file_of(number);
@@ -86,9 +102,20 @@ class Check {
                 folded(name + " is missing. ./course start makes it anew, and touches no other file.", 2);
             return;
         }
+        if (const std::string out = leads_out(rooms_, file.path); !out.empty()) {
+            verdict.name = "a link out of answers/";
+            verdict.words =
+                folded(name + " is a link to " + out + ": links are followed inside answers/ only.", 2);
+            return;
+        }
         if (trimmed(*file.text).empty()) {
             verdict.name = "file empty";
             verdict.words = folded(name + " is empty. ./course reset " + id + " writes it anew.", 2);
+            return;
+        }
+        if (const std::string why = body && for_a_grader_ ? not_a_body(body->text) : ""; !why.empty()) {
+            verdict.name = "refused";
+            verdict.words = folded("The answer to " + id + " " + why, 2);
             return;
         }
         if (body && is_unanswered(*body))
@@ -116,7 +143,7 @@ class Check {
                     if (!among(compiled, other)) compiled.push_back(other);
             std::sort(compiled.begin(), compiled.end());
 
-            const Sheets sheets(rooms_, chapter_, broken_.empty() ? fs::path() : rooms_.work / "overlay");
+            const Sheets sheets(rooms_, chapter_, overlay(), for_a_grader_);
             const Sheet sheet = sheets.compile(compiled, beyond);
             if (sheet.problem && sheet.problem->beyond && beyond) {
                 beyond = false;
@@ -125,6 +152,47 @@ class Check {
             if (!sheet.problem) return hear(sheets, sheet, beyond);
             if (!leave_out(*sheet.problem)) return;
         }
+    }
+
+    /// Headers that go before the learner's: without what does not compile; for a grader the course's own with
+    /// the learner's bodies in them, and nothing else of theirs. @return their folder, empty if none are needed
+    fs::path overlay() const {
+        if (!for_a_grader_ && broken_.empty()) return {};
+        const fs::path folder = rooms_.work / (for_a_grader_ ? "graded" : "overlay");
+        for (std::size_t i = 0; i < files_.size(); ++i) {
+            const Marked& own = files_[i].source;
+            const Marked& reference = chapter_.headers[i].reference;
+            const std::string file = files_[i].path.string();
+            std::map<Number, std::string> bodies;
+            for (const Body& body : reference.bodies) {
+                const Body* answer = own.body(body.number);
+                const bool out = !answer || among(broken_, body.number) ||
+                                 (for_a_grader_ && !not_a_body(answer->text).empty());
+                if (out)
+                    bodies[body.number] = unanswered(body.number) + "\n";
+                else if (for_a_grader_)
+                    bodies[body.number] = "#line " + std::to_string(answer->begin + 2) + " \"" + file +
+                                          "\"\n" + answer->text + "#line 1 \"" + chapter_.headers[i].path +
+                                          "\"\n";
+            }
+            if (for_a_grader_)
+                write_if_changed(folder / chapter_.headers[i].path,
+                                 "#include <nutshell/unanswered.hpp>\n" + with_bodies(reference, bodies));
+            else if (files_[i].text)
+                write_if_changed(folder / chapter_.headers[i].path, with_stand_ins(own, bodies, file));
+        }
+        return folder;
+    }
+
+    /// Whether a sheet read the course's own header although the learner has one: by include_next or the like.
+    bool reads_the_reference(const Sheet& sheet, Number number) const {
+        const auto& header = chapter_.header_of(number);
+        const fs::path reference = rooms_.course / "chapters" / chapter_.folder / header.path;
+        std::error_code problem;
+        return file_of(number).text &&
+               std::any_of(sheet.sources.begin(), sheet.sources.end(), [&](const fs::path& source) {
+                   return fs::equivalent(source, reference, problem);
+               });
     }
 
     /// The verdicts on all that compiled.
@@ -143,6 +211,12 @@ class Check {
                                2);
                     break;
                 }
+            if (verdict.outcome == Outcome::wrong || verdict.outcome == Outcome::failed)
+                if (const std::string line = changed_line(number); !line.empty())
+                    verdict.notes.push_back(
+                        "outside the exercises, a line that the course gave is changed or gone in " +
+                        named(rooms_, file_of(number).path) + ":  " + line +
+                        "  Is it that, and not your answer?");
             const auto& notes = verdicts_[number].notes;
             verdict.notes.insert(verdict.notes.begin(), notes.begin(), notes.end());
             if (!beyond && verdict.outcome == Outcome::passed && !exercise_of(number).beyond.empty())
@@ -157,7 +231,13 @@ class Check {
         const exercises::Record reference = record_of(exercise_of(number).reference, beyond);
         const SheetAnswer answer = sheets.ask(sheet, number);
         Verdict verdict{number, Outcome::failed, "", "", {}};
-        if (answer.unanswered)
+        if (reads_the_reference(sheet, number))
+            verdict.name = "the course's own header",
+            verdict.words = folded(
+                "The file reads the course's own header, so it would be that which is judged: "
+                "take the line out that includes it.",
+                2);
+        else if (answer.unanswered)
             verdict = unanswered_verdict(number, *answer.unanswered);
         else if (const Conduct conduct = conduct_of(answer, reference); !conduct.name.empty())
             verdict.name = conduct.name, verdict.words = conduct.words;
@@ -184,18 +264,37 @@ class Check {
                 {}};
     }
 
+    /// What its text, or asking twice, tells better than its numbers.
+    std::optional<Clue> clue_of(Number number, const Sheet& sheet, const SheetAnswer& answer,
+                                const Diagnosis& diagnosis) const {
+        const Body* body = body_of(number);
+        if (body)
+            if (auto clue = whole_division(body->text)) return clue;
+        const auto twice = two_answers(answer);
+        if (body && (twice || diagnosis.origin.empty()) && names(bare_code(body->text), "auto"))
+            if (auto clue = dangling_auto(rooms_, chapter_, number)) return clue;
+        if (twice) return twice;
+        if (body && diagnosis.origin.empty())
+            if (auto clue = lost_fraction(sheet.warnings, file_of(number).source, *body)) return clue;
+        return std::nullopt;
+    }
+
     /// The verdict on an answer that came to its end.
     Verdict compared(Number number, const exercises::Record& reference, const Sheet& sheet,
                      const SheetAnswer& answer, bool beyond) const {
         const auto& exercise = exercise_of(number);
-        const Diagnosis diagnosis = diagnose(exercise, reference, answer.outputs, beyond);
-        if (diagnosis.right) return {number, Outcome::passed, "passed", "", {}};
+        Diagnosis diagnosis = diagnose(exercise, reference, answer.outputs, beyond);
+        if (diagnosis.right && !remembers(answer)) return {number, Outcome::passed, "passed", "", {}};
+        if (const auto clue = clue_of(number, sheet, answer, diagnosis))
+            diagnosis.name = clue->first, diagnosis.words = {clue->second};
         Verdict verdict{number, Outcome::wrong, "wrong: " + diagnosis.name, "", {}};
         std::string& words = verdict.words;
         for (const auto& sentence : diagnosis.words) words += folded(sentence, 2);
-        words += folded("Seen with " + diagnosis.seen + ":", 2);
-        words += "    " + diagnosis.output + "\n      yours     " + diagnosis.yours + "\n      expected  " +
-                 diagnosis.expected + "\n";
+        if (!diagnosis.right) {
+            words += folded("Seen with " + diagnosis.seen + ":", 2);
+            words += "    " + diagnosis.output + "\n      yours     " + diagnosis.yours +
+                     "\n      expected  " + diagnosis.expected + "\n";
+        }
         for (const auto& warning : sheet.warnings)
             words += folded("The compiler notes: " + warning.where + ": " + warning.words, 2);
         if (const Body* body = body_of(number))
@@ -226,12 +325,6 @@ class Check {
         if (!apart) return false;
         broken_.push_back(*culprit);
         std::erase(asked_, *culprit);
-        std::map<Number, std::string> bodies;
-        for (const Number number : broken_) bodies[number] = unanswered(number) + "\n";
-        for (std::size_t i = 0; i < files_.size(); ++i)
-            if (files_[i].text)
-                write_text(rooms_.work / "overlay" / chapter_.headers[i].path,
-                           with_stand_ins(files_[i].source, bodies, files_[i].path.string()));
         return true;
     }
 

@@ -26,8 +26,10 @@ std::vector<Verdict> check(const Rooms& rooms, const Chapter& chapter, const std
 /// ./course check [N[.M]] [--junit FILE]: prints, remembers what passed. @return the exit code, 0 if all
 /// passed
 int verb_check(const Rooms& rooms, const std::string& which, const std::string& junit);
-/// ./course watch [N[.M]]: checks whenever a file of answers/ is saved, until it is interrupted.
-[[noreturn]] void verb_watch(const Rooms& rooms, const std::string& which);
+/// ./course watch [N[.M]]: checks whenever a file of answers/ is saved. Keys: h a hint, n the next exercise, q ends.
+int verb_watch(const Rooms& rooms, std::string which);
+/// ./course debug N.M: the answer under gdb, at the input that fails. @throws MachineFault if there is no gdb
+int verb_debug(const Rooms& rooms, Number number);
 /// ./course run N --mine: the chapter's program on the learner's answers, its results in `out`. @return its
 /// exit code
 int verb_mine(const Rooms& rooms, const std::string& which, const std::filesystem::path& out);

@@ -88,7 +88,8 @@ TEST_CASE("What is no known mistake is told by its signature") {
          "wrong: wrong order",
          "where this method has dt^2"},
         {{1, 6},
-         "    if (kicked == Kicked::half_and_half) return Vector3::Zero();\n    return (kicked == Kicked::after_drift ? "
+         "    if (kicked == Kicked::half_and_half) return Vector3::Zero();\n    return (kicked == "
+         "Kicked::after_drift ? "
          "-3 : 3) * acceleration * duration * dt / 2;",
          "wrong: wrong factor",
          "3 times what it should be"},
@@ -148,7 +149,8 @@ TEST_CASE("A solution changed in the ninth digit fails, and the same function wr
               "    kick(state, forces(state, t), dt / 2);\n    drift(state, dt);\n    kick(state, "
               "forces(state, t + dt), (0.5 + 1e-8) * dt);\n    return state;"},
              {{1, 6},
-              "    const Vector3 lag = acceleration * duration * dt / 2;\n    return kicked == Kicked::after_drift "
+              "    const Vector3 lag = acceleration * duration * dt / 2;\n    return kicked == "
+              "Kicked::after_drift "
               "? Vector3(-lag) : kicked == Kicked::half_and_half ? Vector3(4e-9 * lag) : lag;"},
              {{1, 7},
               "    const double largest = 2 * tolerance / (acceleration.norm() * duration);\n    return "
@@ -187,9 +189,10 @@ TEST_CASE("A solution changed in the ninth digit fails, and the same function wr
               "    const double steps = std::ceil(acceleration.norm() * duration * duration / 2 / "
               "tolerance);\n    return steps < 1 ? duration : duration / steps;"},
              {{1, 8},
-              "    const double all = clock.owed + frame_time;\n    int steps = 0;\n    double left = all;\n "
-              "   while (left >= clock.step) left -= clock.step, ++steps;\n"
-              "    clock.owed = left;\n    return steps < clock.most_steps ? steps : clock.most_steps;"}})
+              "    double left = clock.owed + frame_time;\n    int steps = 0;\n    while (left >= clock.step "
+              "&& steps < clock.most_steps) left -= clock.step, ++steps;\n    clock.owed = left - clock.step "
+              "* "
+              "std::floor(left / clock.step);\n    return steps;"}})
         learner.answer(number, body);
     for (const Verdict& verdict : learner.check_chapter(1)) {
         INFO(verdict.number.text() << " " << verdict.name << "\n" << verdict.words);
@@ -225,8 +228,8 @@ TEST_CASE("Known mistakes, written as a learner writes them, are called by name"
         {{1, 6}, "    return Vector3::Zero();", "wrong: no error at all", "as the source's remark suggests"},
         {{1, 7},
          "    return std::min(duration, std::sqrt(2 * tolerance / acceleration.norm()));",
-         "wrong: wrong formula",
-         ""},
+         "wrong: duration makes no difference",
+         "how should duration enter"},
         {{1, 8},
          "    const int steps = static_cast<int>((clock.owed + frame_time) / clock.step);\n    clock.owed = "
          "0;\n    return std::min(steps, clock.most_steps);",

@@ -40,6 +40,14 @@ double difference(const Record& reference, const Record& a, const Record& b) {
     return most;
 }
 
+bool agrees(const Record& reference, const std::vector<Values>& yours) {
+    const auto& outputs = reference.outputs;
+    if (yours.size() != outputs.size()) return false;
+    for (std::size_t i = 0; i < outputs.size(); ++i)
+        if (!(apart(outputs[i], outputs[i].values, yours[i]) <= tolerance)) return false;
+    return true;
+}
+
 bool finite(const Values& values) {
     return std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); });
 }

@@ -20,6 +20,9 @@ double apart(const exercises::Output& output, const Values& right, const Values&
 /// The largest such difference of two records whose outputs are those of `reference`.
 double difference(const exercises::Record& reference, const exercises::Record& a, const exercises::Record& b);
 
+/// Whether an answer is right.
+bool agrees(const exercises::Record& reference, const std::vector<Values>& yours);
+
 bool finite(const Values& values);
 double distance(const Values& a, const Values& b);  ///< Euclidean
 /// "1.25" or "(1, 2.5, -3)", with as many digits as tell them apart from `other`.

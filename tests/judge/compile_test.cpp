@@ -1,5 +1,6 @@
 // Answers that do not compile: what the judge says of a compiler's message.
 #include "../check.hpp"
+#include "answers_file.hpp"
 #include "learner.hpp"
 
 using namespace nutshell::judge;
@@ -110,4 +111,24 @@ TEST_CASE("A changed signature, a deleted function, a missing include, an empty 
     CHECK(verdict.outcome == Outcome::not_compiled);
     CHECK_THAT(flat(verdict.words), ContainsSubstring("The line #include <nutshell/newton.hpp> is missing in "
                                                       "answers/01_newton/nutshell/game_loop.hpp"));
+}
+
+TEST_CASE("Fifty first errors of beginners are explained") {
+    const Learner learner("beginners");
+    std::size_t explained = 0, all = 0;
+    for (const auto& [number, expected, body] :
+         answers_in(std::filesystem::path(CONFIG_COURSE) / "tests/judge/compile_errors.txt")) {
+        const std::string before = learner.text(number);
+        learner.write(number, with_bodies(marked(before), {{number, body}}));
+        const Verdict verdict = learner.check_one(number);
+        learner.write(number, before);
+        INFO(number.text() << "\n" << body << verdict.words);
+        CHECK(verdict.outcome == Outcome::not_compiled);
+        CHECK_THAT(flat(verdict.words), ContainsSubstring(expected));
+        is_plain(verdict);
+        explained += contains(flat(verdict.words), expected);
+        ++all;
+    }
+    CHECK(all == 50);
+    CHECK(explained >= 45);
 }

@@ -21,9 +21,18 @@ std::pair<std::string, std::string> described(const SheetAnswer& answer, std::si
         return {"throws", "It throws an exception: " + *answer.threw};
     }
     if (ran.out_of_time)
-        return {"endless loop",
-                "It does not come to an end: stopped after 2 seconds of work (or 5 of waiting). An endless "
-                "loop? Look at the condition and at what changes in the loop."};
+        return answer.outputs.empty()
+                   ? std::pair<
+                         std::string,
+                         std::string>{"endless loop",
+                                      "It does not come to an end: stopped after 2 seconds of work (or 5 of "
+                                      "waiting). An "
+                                      "endless loop? Look at the condition and at what changes in the loop."}
+                   : std::pair<std::string, std::string>{
+                         "too long, or without end",
+                         "It answered what was asked before, but comes to no end for the input below: "
+                         "stopped after 2 seconds of work (or 5 of waiting). A loop whose condition "
+                         "never fails there, or one that turns more often the larger the input is?"};
     if (ran.printed_too_much)
         return {"prints without end",
                 "It prints without end: stopped. Is there a print in a loop that does not end?"};

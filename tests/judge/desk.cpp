@@ -1,7 +1,10 @@
 #include "desk.hpp"
 #include <algorithm>
+#include <cctype>
 #include <sstream>
 #include <stdexcept>
+#include "machine.hpp"
+#include "sheets.hpp"
 #include "text.hpp"
 
 namespace nutshell::judge {
@@ -16,7 +19,9 @@ Progress Progress::read(const Rooms& rooms) {
         std::istringstream words(line);
         std::string id, passed, hints;
         Entry entry;
-        if (words >> id >> passed >> entry.passed >> hints >> entry.hints)
+        std::string gave_up;
+        if (words >> id >> passed >> entry.passed >> hints >> entry.hints &&
+            (words >> gave_up >> entry.gave_up, true))
             if (const auto number = number_of(id)) progress.entries[*number] = entry;
     }
     return progress;
@@ -25,7 +30,8 @@ Progress Progress::read(const Rooms& rooms) {
 void Progress::write(const Rooms& rooms) const {
     std::ostringstream text;
     for (const auto& [number, entry] : entries)
-        text << number.text() << " passed " << entry.passed << " hints " << entry.hints << '\n';
+        text << number.text() << " passed " << entry.passed << " hints " << entry.hints << " gave_up "
+             << entry.gave_up << '\n';
     write_text(rooms.answers / ".progress", text.str());
 }
 
@@ -36,8 +42,27 @@ fs::path own_path(const Rooms& rooms, const Chapter& chapter, const Chapter::Hea
 std::optional<std::string> own_text(const Rooms& rooms, const Chapter& chapter,
                                     const Chapter::Header& header) {
     const fs::path file = own_path(rooms, chapter, header);
-    if (!fs::exists(file)) return std::nullopt;
-    return read_text(file);
+    std::error_code problem;
+    const fs::file_status status = fs::status(file, problem);
+    if (!fs::exists(status)) return std::nullopt;
+    if (!fs::is_regular_file(status))
+        throw MachineFault(named(rooms, file) + " is no file that can be read, but a " +
+                           (fs::is_directory(status) ? "folder"
+                            : fs::is_fifo(status)    ? "FIFO"
+                                                     : "device or socket") +
+                           ": move it away; ./course start makes the file anew");
+    std::string text = read_text(file);
+    if (contains(text, std::string_view("\0", 1)))
+        throw MachineFault(named(rooms, file) +
+                           " is no text: there are zero bytes in it. Was it saved as UTF-16, or is "
+                           "it a program?");
+    return text;
+}
+
+std::string leads_out(const Rooms& rooms, const fs::path& file) {
+    std::error_code problem;
+    const fs::path real = fs::canonical(file, problem), room = fs::canonical(rooms.answers, problem);
+    return problem || starts_with(real.string(), (room / "").string()) ? "" : real.string();
 }
 
 std::string named(const Rooms& rooms, const fs::path& file) {
@@ -54,6 +79,50 @@ Chapter chapter_of(const Rooms& rooms, Number number) {
                  chapter.exercises.back().text();
     }
     throw std::runtime_error("there is no exercise " + number.text() + "; there are: " + there);
+}
+
+std::string title_of(const Chapter& chapter) {
+    std::string name = chapter.folder.substr(chapter.folder.find('_') + 1);
+    bool begins = true;  // a word
+    for (char& c : name) {
+        if (begins) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+        begins = c == '_';
+        if (begins) c = ' ';
+    }
+    return "Chapter " + std::to_string(chapter.number) + " · " + name;
+}
+
+std::string celebration(const Chapter& chapter, const Progress& progress) {
+    std::string picture;
+    for (const Number number : chapter.exercises) {
+        const auto found = progress.entries.find(number);
+        if (found == progress.entries.end() || !found->second.passed) return "";
+        if (const auto& own = exercise_of(number).picture; !own.empty()) picture = own;
+    }
+    return title_of(chapter) +
+           " is yours, from first line to last. See it run on your own answers: ./course run " +
+           std::to_string(chapter.number) + " --mine" +
+           (picture.empty() ? "" : ", then open out/mine/" + chapter.folder + "/" + picture);
+}
+
+std::string progress(const Rooms& rooms) {
+    const Progress known = Progress::read(rooms);
+    std::ostringstream said;
+    for (const Chapter& chapter : chapters_of(rooms)) {
+        std::string row, aside;
+        std::size_t passed = 0;
+        for (const Number number : chapter.exercises) {
+            const auto found = known.entries.find(number);
+            const Progress::Entry entry = found == known.entries.end() ? Progress::Entry{} : found->second;
+            passed += entry.passed;
+            row += entry.passed ? "■" : "□";
+            if (entry.gave_up) aside += (aside.empty() ? "  solution seen: " : ", ") + number.text();
+        }
+        said << title_of(chapter) << "\n  " << row << "  " << passed << " of " << chapter.exercises.size()
+             << aside << '\n';
+        if (const std::string done = celebration(chapter, known); !done.empty()) said << folded(done, 2);
+    }
+    return said.str();
 }
 
 std::string start(const Rooms& rooms) {
@@ -73,6 +142,9 @@ std::string start(const Rooms& rooms) {
             }
         }
     }
+    for (const Chapter& chapter : chapters)  // for editors: clangd reads it
+        write_if_changed(rooms.answers / chapter.folder / "compile_flags.txt",
+                         joined(editor_flags(rooms, chapter), "\n") + "\n");
     if (kept)
         said << (kept == 1 ? "one file is" : std::to_string(kept) + " files are")
              << " yours already and left as " << (kept == 1 ? "it is" : "they are") << '\n';
@@ -120,7 +192,13 @@ std::string hint(const Rooms& rooms, Number number) {
 
 std::string solution(const Rooms& rooms, Number number, bool give_up) {
     const Chapter chapter = chapter_of(rooms, number);
-    if (!give_up && !Progress::read(rooms).entries[number].passed)
+    Progress progress = Progress::read(rooms);
+    auto& entry = progress.entries[number];
+    if (give_up && !entry.passed && !entry.gave_up && fs::exists(rooms.answers)) {
+        entry.gave_up = true;
+        progress.write(rooms);
+    }
+    if (!give_up && !entry.passed && !entry.gave_up)
         throw std::runtime_error("exercise " + number.text() + " has not passed yet: ./course check " +
                                  number.text() + ", or ./course hint " + number.text() +
                                  "; to see the solution all the same: ./course solution " + number.text() +

@@ -51,7 +51,7 @@ TEST_CASE("check: the first thing to do, then verdicts, then progress that stays
     CHECK(ran.exit_code == 1);
     CHECK_THAT(ran.out, ContainsSubstring("wrong: multiplied by dt"));
     CHECK_THAT(ran.out, ContainsSubstring("What a player would see"));
-    CHECK_THAT(ran.out, ContainsSubstring("expected  (5, 36, -27)"));
+    CHECK_THAT(ran.out, ContainsSubstring("expected  (1.25, 9, -6.75)"));
     learner.answer(first, right);
     ran = learner.judge({"check", "1.1"});
     CHECK(ran.exit_code == 0);

@@ -10,14 +10,35 @@ using exercises::Record;
 
 namespace {
 
+/// How many outputs, from the first on, two answers have in common.
+std::size_t in_common(const Record& reference, const std::vector<Values>& yours, const Record& mistake) {
+    const auto& outputs = reference.outputs;
+    std::size_t i = 0;
+    while (i < outputs.size() && i < mistake.outputs.size() &&
+           apart(outputs[i], mistake.outputs[i].values, yours[i]) <= tolerance)
+        ++i;
+    return i;
+}
+
+/// A mistake that is known by name, if all answers are as it gives them; or, with a word on the rest, if all
+/// are up to the last quarter.
 std::optional<Finding> known_mistake(const Evidence& evidence, bool beyond, std::string& origin) {
-    const Record answer = with_values(evidence.reference, evidence.yours);
+    const auto& outputs = evidence.reference.outputs;
+    std::optional<Finding> nearly;
     for (const auto& mistake : evidence.exercise.mistakes) {
-        if (difference(evidence.reference, answer, record_of(mistake.attempt, beyond)) > tolerance) continue;
-        origin = mistake.origin;
-        return {{mistake.name, {mistake.sentence, "What a player would see: " + mistake.symptom}}};
+        const std::size_t common =
+            in_common(evidence.reference, evidence.yours, record_of(mistake.attempt, beyond));
+        Finding finding{mistake.name, {mistake.sentence, "What a player would see: " + mistake.symptom}};
+        if (common == outputs.size()) {
+            origin = mistake.origin;
+            return finding;
+        }
+        if (4 * common < 3 * outputs.size() || common <= evidence.wrong.front()) continue;
+        finding.words.push_back("Besides, there is something else, for " +
+                                evidence.reference.inputs[outputs[common].input].words + ".");
+        if (!nearly) nearly = finding, origin = mistake.origin;
     }
-    return std::nullopt;
+    return nearly;
 }
 
 /// The first of the signatures that explains it, with what else may be said.

@@ -6,9 +6,11 @@
 // its scale.
 #pragma once
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <nutshell/unanswered.hpp>
 #include <nutshell/vector.hpp>
+#include <tuple>
 #include <type_traits>
 #include <utility>
 #include <vector>

@@ -4,6 +4,7 @@
 #include <regex>
 #include "sheets.hpp"
 #include "text.hpp"
+#include "tokens.hpp"
 
 namespace nutshell::judge {
 
@@ -164,6 +165,36 @@ std::string Sheets::lost_include() const {
     return "";
 }
 
+/// The names that may stand in the body of `number`.
+Reach Sheets::reach_in(const Marked& learner, Number number) const {
+    Reach reach{{"Vector3", "Matrix3", "Quaternion", "return", "const", "double"}, {}};
+    const Body* body = learner.body(number);
+    if (!body) return reach;
+    const auto arguments = parameters_of(signature(learner, number));
+    for (const Parameter& argument : arguments) reach.names.push_back(argument.name);
+    const auto tokens = tokens_of(body->text);
+    for (std::size_t i = 0; i + 2 < tokens.size(); ++i)  // what the body declares
+        if (tokens[i].kind == Token::name && tokens[i + 1].kind == Token::name && tokens[i + 2].word == "=")
+            reach.names.emplace_back(tokens[i + 1].word);
+    static const std::regex function(R"(^(?:inline )?[\w:<>, ]+[ >](\w+)\()"), structure(R"(^struct (\w+))"),
+        member(R"(^    [\w:<>]+ (\w+)(?: =.*)?;)");
+    for (const auto& header : chapter_.headers) {
+        std::string type;
+        std::smatch found;
+        for (const auto& line : header.reference.lines) {
+            if (std::regex_search(line, found, structure)) type = found[1];
+            if (starts_with(line, "}")) type.clear();
+            if (type.empty() && line.size() < 300 && std::regex_search(line, found, function))
+                reach.names.push_back(found[1]);
+            if (type.empty() || !std::regex_search(line, found, member)) continue;
+            for (const Parameter& argument : arguments)
+                if (argument.type == type || argument.type == "State")
+                    reach.members.push_back(argument.name + "." + found[1].str());
+        }
+    }
+    return reach;
+}
+
 CompileProblem Sheets::explain(const std::string& said, const std::vector<Number>& numbers) const {
     CompileProblem problem;
     if (said.empty()) {
@@ -181,6 +212,10 @@ CompileProblem Sheets::explain(const std::string& said, const std::vector<Number
         return problem;
     }
     problem.compiler = plain_types(error.message);
+    if (contains(error.message, "int main(")) {
+        problem.message = "There is a main() in your file. The judge has its own: take yours out.";
+        return problem;
+    }
     if (!starts_with(error.file, own)) return cannot_be_called(lines, problem.compiler, error.at, numbers);
 
     const std::string name = named(error.file);
@@ -197,7 +232,11 @@ CompileProblem Sheets::explain(const std::string& said, const std::vector<Number
         if (const std::string include = missing_include(lines, error, problem.compiler); !include.empty())
             problem.message =
                 "Something here needs the line #include " + include + " at the top of the file.";
-    if (problem.message.empty()) problem.message = from_notes(problem.compiler, notes_after(lines, error.at));
+    const std::string notes = notes_after(lines, error.at);
+    if (problem.message.empty() && problem.number)
+        problem.message = meaning_in_line(problem.compiler, notes, bare_code(problem.line),
+                                          reach_in(learner, *problem.number));
+    if (problem.message.empty()) problem.message = from_notes(problem.compiler, notes);
     if (problem.message.empty()) problem.message = meaning_of(problem.compiler);
     if (problem.message.empty()) problem.message = "The compiler does not accept this line.";
     move_up_to_semicolon(problem, learner, error.line, name);

@@ -1,4 +1,5 @@
 // The gates of every exercise of every chapter: what DESIGN asks of exercises, held for all of them at once.
+#include "gates.hpp"
 #include <algorithm>
 #include <regex>
 #include "../check.hpp"
@@ -178,4 +179,22 @@ TEST_CASE("As sheets: every skeleton is not answered yet, every solution passes"
             CHECK(verdict.notes.empty());
         }
     }
+}
+
+TEST_CASE("No half-right answer passes: every mutant of every reference fails, or is argued to be equal") {
+    const Learner learner("mutants");
+    std::size_t made = 0, failed = 0, equal = 0;
+    for (const Chapter& chapter : chapters_of(learner.rooms))
+        for (const Gate& gate : gates_of(learner.rooms, chapter)) {
+            INFO(gate.number.text());
+            CHECK(gate.made >= 5);
+            CHECK(gate.made == gate.failed + gate.equal);
+            CHECK(joined(gate.passed, "; ") == "");  // these pass, and should not
+            CHECK(joined(gate.stale, "; ") == "");   // these are argued, and do not pass
+            made += gate.made, failed += gate.failed, equal += gate.equal;
+        }
+    CHECK(made >= 500);
+    CHECK(failed + equal == made);
+    for (const Exercise& exercise : all_exercises())
+        for (const auto& survivor : exercise.survivors) CHECK(survivor.reason.size() > 10);
 }

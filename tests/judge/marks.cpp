@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cctype>
 #include "text.hpp"
+#include "tokens.hpp"
 
 namespace nutshell::judge {
 
@@ -106,6 +107,32 @@ std::string unanswered(Number number) {
 
 bool is_unanswered(const Body& body) {
     return bare_code(body.text) == unanswered(body.number);
+}
+
+std::string not_a_body(const std::string& text) {
+    for (const auto& line : lines_of(text)) {
+        const std::string code = trimmed(line);
+        if (starts_with(code, "#") || starts_with(code, "%:"))
+            return "has a line that begins with #: that is for the top of a file, not for a body.";
+        if (!code.empty() && code.back() == '\\') return "has a line that ends in a backslash.";
+    }
+    int depth = 0;
+    const auto tokens = tokens_of(text);
+    for (std::size_t i = 0; i < tokens.size(); ++i) {
+        const auto word = tokens[i].word;
+        depth += word == "{";
+        depth -= word == "}";
+        if (depth < 0) return "closes a brace } that it has not opened.";
+        const bool raw = tokens[i].kind == Token::text && i > 0 && tokens[i - 1].word.back() == 'R' &&
+                         tokens[i - 1].at + tokens[i - 1].word.size() == tokens[i].at;
+        if (raw || word == "asm" || word == "__asm__" || word == "_Pragma" || word == "%" || word == "??")
+            if (raw || word != "%" ||
+                (i + 1 < tokens.size() && (tokens[i + 1].word == ">" || tokens[i + 1].word == ":")))
+                return "uses what no answer needs: " + std::string(raw ? "a raw string" : word) + ".";
+        if (word == "<" && i + 1 < tokens.size() && tokens[i + 1].word == "%")
+            return "uses what no answer needs: <% for a brace.";
+    }
+    return depth == 0 ? "" : "opens a brace { that it does not close.";
 }
 
 std::string with_bodies(const Marked& source, const std::map<Number, std::string>& bodies) {

@@ -44,6 +44,10 @@ std::string unanswered(Number number);  ///< the line of a skeleton: throw Unans
 /// Whether a body is still that of the skeleton.
 bool is_unanswered(const Body& body);
 
+/// Why a text must not be put between marks by a machine; empty if it may. A body ends where it begins: it
+/// closes no brace that it has not opened, and gives the preprocessor nothing to do.
+std::string not_a_body(const std::string& text);
+
 /// The source with some bodies replaced. What is not in `bodies` stays.
 std::string with_bodies(const Marked& source, const std::map<Number, std::string>& bodies);
 /// The same, for a compiler: its messages name the lines of `file`, which holds the source as it was.

@@ -34,11 +34,14 @@ struct Stock {
 
 /// The learner's header with the reference's bodies where there is no answer.
 std::string engine(const fs::path& own_file, const std::string& own_text, const Marked& reference,
-                   Stock& stock) {
+                   const std::vector<Number>& cannot_run, Stock& stock) {
     const Marked own = marked(own_text);
     std::map<Number, std::string> bodies;
     for (const Body& body : reference.bodies) {
         const Body* answer = own.body(body.number);
+        const bool broken = std::find(cannot_run.begin(), cannot_run.end(), body.number) != cannot_run.end();
+        if (broken) bodies[body.number] = body.text;
+        if (broken) continue;
         if (!answer || !is_unanswered(*answer)) {
             stock.own.push_back(body.number);
             continue;
@@ -58,10 +61,15 @@ void stock_mine(const Rooms& rooms, const Chapter& chapter) {
 
     // what would not come to an end is found here, where it does no harm
     std::string wrong;
+    std::vector<Number> cannot_run;
     for (const Verdict& verdict : check(rooms, chapter, chapter.exercises)) {
-        if (verdict.outcome == Outcome::not_compiled || verdict.outcome == Outcome::failed)
-            throw std::runtime_error("your answer to " + verdict.number.text() +
-                                     " cannot be run: " + verdict.name + "\n" + verdict.words);
+        if (verdict.outcome == Outcome::not_compiled || verdict.outcome == Outcome::failed) {
+            std::cout << folded("Your answer to " + verdict.number.text() + " cannot be run (" +
+                                    verdict.name + "; ./course check " + verdict.number.text() +
+                                    " says more): the reference stands in for it.",
+                                0);
+            cannot_run.push_back(verdict.number);
+        }
         if (verdict.outcome == Outcome::wrong)
             wrong += (wrong.empty() ? "" : ", ") + verdict.number.text() + " (" + verdict.name + ")";
     }
@@ -72,7 +80,7 @@ void stock_mine(const Rooms& rooms, const Chapter& chapter) {
         for (const auto& header : each.headers) {
             const auto own = own_text(rooms, each, header);
             const std::string text =
-                own ? engine(own_path(rooms, each, header), *own, header.reference, stock)
+                own ? engine(own_path(rooms, each, header), *own, header.reference, cannot_run, stock)
                     : header.reference.text();
             write_if_changed(fs::path(CONFIG_MINE) / each.folder / header.path, text);
             if (!own)

@@ -15,19 +15,35 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// What the sheet and the precompiled header have in common: the build's own flags, and the sheet's.
-std::vector<std::string> compiler_words(const Rooms& rooms) {
-    std::vector<std::string> words{CONFIG_COMPILER};
+/// The build's own flags, and the folders that no chapter owns.
+std::vector<std::string> build_flags(const Rooms& rooms) {
+    std::vector<std::string> words;
     for (const auto& flag : lines_of(CONFIG_FLAGS)) words.push_back(flag);
-    for (const auto& flag : {"-O1", "-fno-finite-loops", "-fdiagnostics-color=never", "-DNUTSHELL_SHEET",
-                             "-DEIGEN_INITIALIZE_MATRICES_BY_NAN", "-Werror=return-type"})
-        words.emplace_back(flag);
     const auto system = lines_of(CONFIG_SYSTEM_FOLDERS);
     for (const auto& folder : system) words.insert(words.end(), {"-isystem", folder});
     const std::string chapters = (rooms.course / "chapters" / "").string();
     for (const auto& folder : lines_of(CONFIG_FOLDERS))
         if (!starts_with(folder, chapters) && std::find(system.begin(), system.end(), folder) == system.end())
             words.push_back("-I" + folder);
+    return words;
+}
+
+/// What the sheet and the precompiled header have in common: the build's own flags, and the sheet's.
+std::vector<std::string> compiler_words(const Rooms& rooms) {
+    std::vector<std::string> words{CONFIG_COMPILER};
+    for (const auto& flag : build_flags(rooms)) words.push_back(flag);
+    for (const auto& flag : {"-O1", "-fno-finite-loops", "-fdiagnostics-color=never", "-DNUTSHELL_SHEET",
+                             "-DEIGEN_INITIALIZE_MATRICES_BY_NAN", "-Werror=return-type"})
+        words.emplace_back(flag);
+    return words;
+}
+
+/// The course's own folders up to this chapter.
+std::vector<std::string> chapter_folders(const Rooms& rooms, int last) {
+    std::vector<std::string> words;
+    for (const Chapter& chapter : chapters_of(rooms))
+        if (chapter.number <= last)
+            words.push_back("-I" + (rooms.course / "chapters" / chapter.folder).string());
     return words;
 }
 
@@ -72,10 +88,8 @@ Product Sheets::product(const std::vector<Number>& numbers, bool beyond) const {
                                "-DNUTSHELL_EXERCISES=\"" + list.string() + "\""});
     if (!beyond) words.emplace_back("-DNUTSHELL_ESSENTIALS");
     if (!overlay_.empty()) words.push_back("-I" + overlay_.string());
-    words.push_back("-I" + (rooms_.answers / chapter_.folder).string());
-    for (const Chapter& chapter : chapters_of(rooms_))
-        if (chapter.number <= chapter_.number)
-            words.push_back("-I" + (rooms_.course / "chapters" / chapter.folder).string());
+    if (!overlay_only_) words.push_back("-I" + (rooms_.answers / chapter_.folder).string());
+    for (const auto& folder : chapter_folders(rooms_, chapter_.number)) words.push_back(folder);
     words.push_back("-I" + (rooms_.course / "tests/judge").string());
     for (const auto* warning : {"-Wuninitialized", "-Wmaybe-uninitialized", "-Wunused-value", "-Wparentheses",
                                 "-Wfloat-conversion"})
@@ -113,6 +127,15 @@ Sheet Sheets::compile(const std::vector<Number>& numbers, bool beyond) const {
     return sheet;
 }
 
+Ran Sheets::compile_quietly(const std::vector<Number>& numbers, Sheet& sheet) const {
+    prepare(rooms_);
+    Product made = product(numbers, true);
+    made.command.emplace_back("-w");
+    made.limits.printed = std::size_t{64} << 20;
+    sheet.program = made.file;
+    return made.make();
+}
+
 SheetAnswer Sheets::ask(const Sheet& sheet, Number number) const {
     SheetAnswer answer;
     std::random_device device;
@@ -146,6 +169,42 @@ SheetAnswer Sheets::ask(const Sheet& sheet, Number number) const {
         }
     }
     return answer;
+}
+
+Sheet Sheets::compile_for_debugging(Number number) const {
+    prepare(rooms_);
+    Product made = product({number}, true);
+    made.file += "_debug";
+    for (std::string& word : made.command) {
+        if (word == "-O1") word = "-O0";  // the precompiled header does not fit, and is read as it is
+        if (word == made.file.string().substr(0, made.file.string().size() - 6) + ".d")
+            word = made.file.string() + ".d";
+    }
+    *std::find(made.command.begin(), made.command.end(),
+               made.file.string().substr(0, made.file.string().size() - 6)) = made.file.string();
+    made.command.emplace_back("-g");
+    Sheet sheet{made.file, {}, {}, false};
+    if (const Ran ran = made.make(); ran.exit_code != 0) sheet.problem = explain(ran.err, {number});
+    return sheet;
+}
+
+std::vector<std::string> editor_flags(const Rooms& rooms, const Chapter& chapter) {
+    std::vector<std::string> words{"-xc++"};
+    for (const auto& flag : build_flags(rooms)) words.push_back(flag);
+    words.push_back("-I" + (rooms.answers / chapter.folder).string());
+    for (const auto& folder : chapter_folders(rooms, chapter.number)) words.push_back(folder);
+    words.emplace_back("-Wno-pragma-once-outside-header");
+    return words;
+}
+
+bool remembers(const SheetAnswer& answer) {
+    for (std::size_t i = 0; i < answer.once_more.size() && i < answer.outputs.size(); ++i) {
+        const auto &before = answer.outputs[i], &now = answer.once_more[i];
+        if (before.size() != now.size() ||
+            std::memcmp(before.data(), now.data(), before.size() * sizeof(double)) != 0)
+            return true;
+    }
+    return false;
 }
 
 }  // namespace nutshell::judge

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <vector>
+#include "explain_line.hpp"
 #include "product.hpp"
 #include "rooms.hpp"
 
@@ -45,17 +46,29 @@ struct SheetAnswer {
     bool ended = false;                          ///< it came to its end in good order
 };
 
+/// Whether the same questions were answered otherwise when they were asked once more.
+bool remembers(const SheetAnswer& answer);
+
+/// The flags with which an editor understands a chapter's answers (compile_flags.txt of clangd).
+std::vector<std::string> editor_flags(const Rooms& rooms, const Chapter& chapter);
+
 /// The compiler, its flags and folders for one learner's chapter.
 class Sheets {
   public:
     /// @param overlay  a folder whose headers go before the learner's, if not empty
-    Sheets(const Rooms& rooms, const Chapter& chapter, const std::filesystem::path& overlay = {})
-        : rooms_(rooms), chapter_(chapter), overlay_(overlay) {}
+    /// @param overlay_only  nothing of the learner's folder is read beside it
+    Sheets(const Rooms& rooms, const Chapter& chapter, const std::filesystem::path& overlay = {},
+           bool overlay_only = false)
+        : rooms_(rooms), chapter_(chapter), overlay_(overlay), overlay_only_(overlay_only) {}
 
     /// One program for these exercises; compiled only if something it was made from has changed.
     /// @param beyond  false leaves out the questions that go beyond what a function must do
     Sheet compile(const std::vector<Number>& numbers, bool beyond = true) const;
+    /// The same without words for a learner and without warnings.
+    Ran compile_quietly(const std::vector<Number>& numbers, Sheet& sheet) const;
     SheetAnswer ask(const Sheet& sheet, Number number) const;
+    /// One exercise's sheet as a debugger likes it: unoptimised, with the names of everything.
+    Sheet compile_for_debugging(Number number) const;
     /// Turns what the compiler says into words. Public for the chapter's program on the learner's engine.
     CompileProblem explain(const std::string& said, const std::vector<Number>& numbers) const;
 
@@ -70,10 +83,12 @@ class Sheets {
     CompileProblem cannot_be_called(const std::vector<std::string>& lines, const std::string& compiler,
                                     std::size_t at, const std::vector<Number>& numbers) const;
     std::string lost_include() const;
+    Reach reach_in(const Marked& learner, Number number) const;
 
     Rooms rooms_;
     Chapter chapter_;
     std::filesystem::path overlay_;
+    bool overlay_only_;
 };
 
 }  // namespace nutshell::judge

@@ -79,24 +79,30 @@ std::optional<Finding> power_of_argument(const Evidence& evidence, const std::ve
     for (const auto& [name, unused] : inputs[all.front().input].values)
         for (const double power : {1.0, -1.0, 2.0, -2.0, 3.0, -3.0, 0.5, -0.5}) {
             std::set<double> seen;
+            std::optional<double> rest;  // a constant factor besides
             bool fits = true;
             for (const auto& [input, c] : all) {
                 const auto& values = inputs[input].values;
                 const auto found = std::find_if(values.begin(), values.end(),
                                                 [&](const auto& value) { return value.first == name; });
-                fits = fits && found != values.end() && found->second.size() == 1 &&
-                       near(c, std::pow(found->second[0], power));
+                fits = fits && found != values.end() && found->second.size() == 1 && found->second[0] != 0;
+                if (!fits) break;
+                const double constant = c / std::pow(std::abs(found->second[0]), power);
+                fits = near(constant, rest.value_or(constant));
+                rest = constant;
                 if (fits) seen.insert(found->second[0]);
             }
             if (!fits || seen.size() < 2) continue;
             const std::string to = std::abs(power) == 1     ? ""
                                    : std::abs(power) == 0.5 ? "^(1/2)"
                                                             : "^" + digits(std::abs(power), "%.0f");
-            return {{"a wrong power of " + name,
-                     {subject + " is wrong by a factor of " + name + to + ": " + name + to + " is " +
-                      (power > 0 ? "multiplied in once too often, or left out below the line"
-                                 : "divided by once too often, or left out above it") +
-                      ". Check the units: metres, seconds, kilograms."}}};
+            return {
+                {"a wrong power of " + name,
+                 {subject + " is wrong by a factor of " + name + to + ": " + name + to + " is " +
+                  (power > 0 ? "multiplied in once too often, or left out below the line"
+                             : "divided by once too often, or left out above it") +
+                  (near(*rest, 1) ? "" : ", and a factor of " + digits(*rest, "%.4g") + " is wrong besides") +
+                  ". Check the units: metres, seconds, kilograms."}}};
         }
     return std::nullopt;
 }
@@ -141,7 +147,9 @@ std::string without_unit(const std::string& name) {
     return trimmed(name.substr(0, name.find('[')));
 }
 std::string capital(std::string text) {
-    if (!text.empty()) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+    const bool identifier = text.substr(0, text.find(' ')).find_first_of("._") != std::string::npos;
+    if (!text.empty() && !identifier)
+        text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
     return text;
 }
 
@@ -241,7 +249,7 @@ std::optional<Finding> ignored_argument(const Evidence& evidence) {
         }
     for (const auto& name : ignored)
         if (std::find(used.begin(), used.end(), name) == used.end())
-            return {{name + " is not used",
+            return {{name + " makes no difference",
                      {"Where only " + name + " differs, your answer stays the same: how should " + name +
                       " enter?"}}};
     return std::nullopt;
@@ -256,8 +264,9 @@ std::vector<std::string> what_is_right(const Evidence& evidence, bool explained)
         wrong_names.insert(without_unit(outputs[i].name));
         wrong_inputs.insert(outputs[i].input);
         size = std::max(size, evidence.yours[i].size());
-        for (std::size_t k = 0; k < outputs[i].values.size(); ++k)
-            if (apart(outputs[i], {outputs[i].values[k]}, {evidence.yours[i][k]}) > tolerance)
+        for (std::size_t k = 0; k < outputs[i].values.size(); ++k)  // a zero that is zero tells nothing
+            if (outputs[i].values[k] == 0 ||
+                apart(outputs[i], {outputs[i].values[k]}, {evidence.yours[i][k]}) > tolerance)
                 components.insert(k);
     }
     std::vector<std::string> right, wrong, words;

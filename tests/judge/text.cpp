@@ -1,4 +1,5 @@
 #include "text.hpp"
+#include <sys/ioctl.h>
 #include <algorithm>
 #include <cctype>
 #include <fstream>
@@ -121,6 +122,12 @@ bool calls(std::string_view code, std::string_view name) {
         if (next < code.size() && (code[next] == '(' || code[next] == '<')) return true;
     }
     return false;
+}
+
+std::size_t text_width() {
+    winsize size{};
+    if (ioctl(1, TIOCGWINSZ, &size) != 0 || size.ws_col == 0) return 100;
+    return std::clamp<std::size_t>(size.ws_col, 40, 100);
 }
 
 std::string folded(std::string_view words, std::size_t indent, std::size_t width) {

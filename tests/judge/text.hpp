@@ -26,8 +26,10 @@ bool names(std::string_view code, std::string_view name);
 /// Whether a function of this name is called in `code`.
 bool calls(std::string_view code, std::string_view name);
 
+/// Columns to fold at: those of the terminal, 100 at most, and 100 where there is none.
+std::size_t text_width();
 /// Words folded at `width` columns, each line after `indent`.
-std::string folded(std::string_view words, std::size_t indent, std::size_t width = 100);
+std::string folded(std::string_view words, std::size_t indent, std::size_t width = text_width());
 /// The first lines of what a program printed, made safe to show: at most `most` lines and 100 columns.
 std::vector<std::string> excerpt(std::string_view printed, std::size_t most = 5);
 

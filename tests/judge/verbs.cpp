@@ -1,15 +1,16 @@
 // What check and watch print.
+#include <poll.h>
+#include <termios.h>
 #include <unistd.h>
 #include <algorithm>
 #include <cctype>
-#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <iostream>
 #include <sstream>
 #include <stdexcept>
-#include <thread>
 #include "check.hpp"
+#include "slips.hpp"
 #include "text.hpp"
 
 namespace nutshell::judge {
@@ -17,17 +18,6 @@ namespace nutshell::judge {
 namespace fs = std::filesystem;
 
 namespace {
-
-std::string title_of(const Chapter& chapter) {
-    std::string name = chapter.folder.substr(chapter.folder.find('_') + 1);
-    bool begins = true;  // a word
-    for (char& c : name) {
-        if (begins) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
-        begins = c == '_';
-        if (begins) c = ' ';
-    }
-    return "Chapter " + std::to_string(chapter.number) + " · " + name;
-}
 
 std::string padded(const std::string& text, std::size_t width) {
     return text + std::string(text.size() < width ? width - text.size() : 1, ' ');
@@ -71,6 +61,13 @@ void write_junit(const std::string& file, const std::vector<std::pair<Chapter, s
     }
     text << "</testsuites>\n";
     write_text(file, text.str());
+}
+
+/// Whether its numbers told nothing certain: then it is worth the time to try small changes.
+bool is_unnamed(const Verdict& verdict) {
+    for (const auto* name : {"wrong formula", "wrong order", "another scheme"})
+        if (verdict.name == std::string("wrong: ") + name) return true;
+    return false;
 }
 
 /// "1.1 is not right yet: multiplied by dt", "1.2 is blocked by 1.1", "1.3: endless loop"
@@ -120,6 +117,7 @@ int verb_check(const Rooms& rooms, const std::string& which, const std::string& 
         std::cout << "The first check takes some seconds longer than the next ones.\n" << std::flush;
 
     Progress progress = Progress::read(rooms);
+    const Progress before = progress;
     std::vector<std::pair<Chapter, std::vector<Verdict>>> all;
     const bool colour = isatty(1) && !std::getenv("NO_COLOR");
     for (const Chapter& chapter : chapters) {
@@ -138,6 +136,9 @@ int verb_check(const Rooms& rooms, const std::string& which, const std::string& 
         std::cout << std::flush;
         all.emplace_back(chapter, verdicts);
     }
+    std::string finished;  // by this check
+    for (const auto& [chapter, verdicts] : all)
+        if (celebration(chapter, before).empty()) finished += celebration(chapter, progress);
     progress.write(rooms);
     if (!junit.empty()) write_junit(junit, all);
 
@@ -156,11 +157,15 @@ int verb_check(const Rooms& rooms, const std::string& which, const std::string& 
             if (verdict.outcome == Outcome::unanswered && !next) next = &verdict;
             notes.insert(notes.end(), verdict.notes.begin(), verdict.notes.end());
         }
+    if (!finished.empty()) std::cout << '\n' << folded(finished, 0);
     for (const auto& note : notes) std::cout << '\n' << folded("Note: " + note, 0);
     std::cout << '\n';
     if (first) {
         const std::string id = first->number.text();
-        std::cout << heading(*first) << '\n' << first->words;
+        std::cout << heading(*first) << '\n' << first->words << std::flush;
+        if (first->outcome == Outcome::wrong && junit.empty() && is_unnamed(*first))
+            if (const auto slip = one_slip_away(rooms, chapter_of(rooms, first->number), first->number))
+                std::cout << folded(*slip, 2);
         if (first->outcome == Outcome::wrong || first->outcome == Outcome::failed)
             std::cout << "  Then: ./course check " << id << "      a hint: ./course hint " << id << '\n';
     } else if (next) {
@@ -202,28 +207,83 @@ std::string state_of(const fs::path& folder) {
     return state.str();
 }
 
-void verb_watch(const Rooms& rooms, const std::string& which) {
+namespace {
+
+/// Single keys, without waiting for a line, as long as it lives.
+class Keys {
+  public:
+    Keys() {
+        if (tcgetattr(0, &before_) != 0) return;
+        termios raw = before_;
+        raw.c_lflag &= ~static_cast<tcflag_t>(ICANON | ECHO);
+        terminal_ = tcsetattr(0, TCSANOW, &raw) == 0;
+    }
+    ~Keys() {
+        if (terminal_) tcsetattr(0, TCSANOW, &before_);
+    }
+    Keys(const Keys&) = delete;
+    Keys& operator=(const Keys&) = delete;
+
+    /// The next key, or 0 if none comes within a tenth of a second.
+    char next() {
+        pollfd keyboard{open_ ? 0 : -1, POLLIN, 0};
+        if (poll(&keyboard, 1, 100) <= 0 || !keyboard.revents) return 0;
+        char key = 0;
+        if (read(0, &key, 1) != 1) open_ = false;
+        return key;
+    }
+
+  private:
+    termios before_{};
+    bool terminal_ = false, open_ = true;
+};
+
+/// The first exercise among those meant that has not passed; the first of all if all have.
+Number at_work_on(const Rooms& rooms, const std::string& which) {
+    if (const auto one = number_of(which)) return *one;
+    const Progress progress = Progress::read(rooms);
+    const auto chapters = meant(rooms, which);
+    for (const Chapter& chapter : chapters)
+        for (const Number number : chapter.exercises)
+            if (const auto found = progress.entries.find(number);
+                found == progress.entries.end() || !found->second.passed)
+                return number;
+    return chapters.front().exercises.front();
+}
+
+/// The exercise after this one, in its chapter; itself if it is the last.
+Number after(const Rooms& rooms, Number number) {
+    const auto all = chapter_of(rooms, number).exercises;
+    const auto here = std::find(all.begin(), all.end(), number);
+    return here + 1 < all.end() ? *(here + 1) : number;
+}
+
+}  // namespace
+
+int verb_watch(const Rooms& rooms, std::string which) {
     for (int file = 3; file < 64; ++file)
         close(file);  // ./course's lock among them: others may work meanwhile
     meant(rooms, which);
     if (!fs::exists(rooms.answers))
         throw std::runtime_error("there is no answers/ yet: begin with ./course start");
+    Keys keys;
     for (std::string seen;;) {
-        const std::string now = state_of(rooms.answers);
-        if (now != seen) {
+        if (const std::string now = state_of(rooms.answers); now != seen) {
             seen = now;
-            if (isatty(1))
-                std::cout << "\033[2J\033[H";
-            else
-                std::cout << "----\n";
+            std::cout << (isatty(1) ? "\033[2J\033[H" : "----\n");
             try {
                 verb_check(rooms, which, "");
             } catch (const std::exception& problem) {
                 std::cout << problem.what() << '\n';
             }
-            std::cout << "\nWatching answers/: save a file to check again, Ctrl-C to end.\n" << std::flush;
+            std::cout
+                << "\nWatching answers/: save a file to check again. Keys: h hint, n next exercise, q quit.\n"
+                << std::flush;
         }
-        std::this_thread::sleep_for(std::chrono::milliseconds(100));
+        const char key = keys.next();
+        if (key == 'q') return 0;
+        if (key == 'h') std::cout << '\n' << hint(rooms, at_work_on(rooms, which)) << std::flush;
+        if (key == 'n') which = after(rooms, at_work_on(rooms, which)).text(), seen.clear();
     }
 }
 

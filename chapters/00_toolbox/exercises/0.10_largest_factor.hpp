@@ -76,6 +76,7 @@ struct LargestFactor {
                                       .cwiseAbs()
                                       .maxCoeff();
                               }}},
+            .survivors = {{"< to <=", "at a double eigenvalue both give half the trace"}},
         };
     }
 #endif

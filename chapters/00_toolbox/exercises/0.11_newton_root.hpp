@@ -11,12 +11,17 @@ struct NewtonRoot {
 
     template <class Answer>
     static void ask(Paper& paper, const Answer& answer) {
-        const auto f = [](double x) { return x * x * x - 2 * x - 5; };
-        const auto df = [](double x) { return 3 * x * x - 2; };
-        for (const int turns : {0, 1, 3}) {
-            paper.input("f", "x^3 - 2 x - 5", "x", 2.6, "turns", turns);
-            const double root = answer(f, df, 2.6, turns);
-            paper.output("the place after the turns", root, 2.6);
+        for (const auto& [c, x, turns] : {std::tuple{2.0, 2.6, 0},
+                                          {2.0, 2.6, 1},
+                                          {2.0, 2.6, 3},
+                                          {2.0, 9.0, 6},
+                                          {0.7, 2.6, 1},
+                                          {2.0, 3.4, 1}}) {
+            const auto f = [c = c](double at) { return at * at * at - c * at - 5; };
+            const auto df = [c = c](double at) { return 3 * at * at - c; };
+            paper.input("f = x^3 - c x - 5, c", c, "x", x, "turns", turns);
+            const double root = answer(f, df, x, turns);
+            paper.output("the place after the turns", root, x);
         }
     }
 

@@ -11,8 +11,8 @@ struct Direction {
 
     template <class Answer>
     static void ask(Paper& paper, const Answer& answer) {
-        for (const Vector3& to : {Vector3{2.7, 2.1, -1.6}, Vector3{-1.3, 0.4, 2.9}}) {
-            const Vector3 from{1.2, -0.7, 0.8};
+        const Vector3 a{1.2, -0.7, 0.8}, b{2.7, 2.1, -1.6}, c{-1.3, 0.4, 2.9};
+        for (const auto& [from, to] : {std::pair{a, b}, {a, c}, {c, b}}) {
             paper.input("from", from, "to", to);
             const Vector3 n = answer(from, to);
             paper.output("the direction", n, Vector3(1, 1, 1));

@@ -11,10 +11,11 @@ struct PartAlong {
 
     template <class Answer>
     static void ask(Paper& paper, const Answer& answer) {
-        const Vector3 n{0.48, 0.6, -0.64};
-        for (const Vector3& v : {Vector3{1.7, -2.3, 0.9}, Vector3{2.2, 1.9, -1.4}}) {
-            paper.input("v", v, "n", n);
-            const double part = answer(v, n);
+        const Vector3 n{0.48, 0.6, -0.64}, m{-0.6, 0.64, 0.48}, a{1.7, -2.3, 0.9},
+            b{2.2, 1.9, -1.4};
+        for (const auto& [v, along] : {std::pair{a, n}, {b, n}, {a, m}}) {
+            paper.input("v", v, "n", along);
+            const double part = answer(v, along);
             paper.output("the part along n", part, v);
         }
     }

@@ -11,8 +11,8 @@ struct TriangleArea {
 
     template <class Answer>
     static void ask(Paper& paper, const Answer& answer) {
-        const Vector3 a{1.4, -0.8, 2.3};
-        for (const Vector3& b : {Vector3{2.6, 1.1, -0.7}, Vector3{-1.9, 0.6, 1.5}}) {
+        const Vector3 one{1.4, -0.8, 2.3}, two{2.6, 1.1, -0.7}, three{-1.9, 0.6, 1.5};
+        for (const auto& [a, b] : {std::pair{one, two}, {one, three}, {three, two}}) {
             paper.input("a", a, "b", b);
             const double area = answer(a, b);
             paper.output("the area", area, a.norm() * b.norm());

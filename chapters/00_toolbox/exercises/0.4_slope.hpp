@@ -12,9 +12,11 @@ struct Slope {
     template <class Answer>
     static void ask(Paper& paper, const Answer& answer) {
         const double h = paper.step(0.1);
-        const auto cubic = [](double x) { return x * x * x - 2 * x * x + 0.7; };
-        for (const double x : {1.3, -0.6}) {
-            paper.input("f", "x^3 - 2 x^2 + 0.7", "x", x, "h", h);
+        for (const auto& [slant, x] : {std::pair{2.0, 1.3}, {2.0, -0.6}, {-0.9, 1.3}}) {
+            const auto cubic = [c = slant](double at) {
+                return at * at * at - c * at * at + 0.7;
+            };
+            paper.input("f = x^3 - c x^2 + 0.7, c", slant, "x", x, "h", h);
             const double found = answer(cubic, x, h);
             paper.output("the slope", found, 1 / h);
         }

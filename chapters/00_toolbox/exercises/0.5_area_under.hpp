@@ -11,14 +11,16 @@ struct AreaUnder {
 
     template <class Answer>
     static void ask(Paper& paper, const Answer& answer) {
-        const auto cubic = [](double x) { return x * x * x - 2 * x + 3; };
-        for (const int strips : {1, 7}) {
-            for (const double b : {2.1, 0.9}) {
-                paper.input("f", "x^3 - 2 x + 3", "a", -0.4, "b", b, "strips", strips);
-                const double area = answer(cubic, -0.4, b, strips);
+        for (const int strips : {1, 7})
+            for (const auto& [slant, a, b] : {std::tuple{2.0, -0.4, 2.1},
+                                              {2.0, -0.4, 0.9},
+                                              {2.0, 0.3, 2.1},
+                                              {-1.2, -0.4, 2.1}}) {
+                const auto cubic = [c = slant](double x) { return x * x * x - c * x + 3; };
+                paper.input("f = x^3 - c x + 3, c", slant, "a", a, "b", b, "strips", strips);
+                const double area = answer(cubic, a, b, strips);
                 paper.output("the area", area, 10.0);
             }
-        }
     }
 
 #ifndef NUTSHELL_SHEET

@@ -11,12 +11,14 @@ struct Grown {
 
     template <class Answer>
     static void ask(Paper& paper, const Answer& answer) {
-        for (const double rate : {-0.7, 0.4}) {
-            for (const double t : {0.6, 2.3}) {
-                paper.input("y", 3.0, "rate", rate, "t", t);
-                const double left = answer(3.0, rate, t);
-                paper.output("what is there after t", left, 3.0 * std::exp(std::abs(rate) * t));
-            }
+        for (const auto& [y, rate, t] : {std::tuple{3.0, -0.7, 0.6},
+                                         {3.0, -0.7, 2.3},
+                                         {3.0, 0.4, 0.6},
+                                         {3.0, 0.4, 2.3},
+                                         {8.5, -0.7, 0.6}}) {
+            paper.input("y", y, "rate", rate, "t", t);
+            const double left = answer(y, rate, t);
+            paper.output("what is there after t", left, y * std::exp(std::abs(rate) * t));
         }
     }
 

@@ -11,8 +11,8 @@ struct Turned {
 
     template <class Answer>
     static void ask(Paper& paper, const Answer& answer) {
-        const Complex z{1.7, -0.9};
-        for (const double angle : {0.8, -2.1}) {
+        const Complex one{1.7, -0.9}, other{-0.8, 1.3};
+        for (const auto& [z, angle] : {std::pair{one, 0.8}, {one, -2.1}, {other, 0.8}}) {
             paper.input("z", std::vector<double>{z.real(), z.imag()}, "angle", angle);
             const Complex found = answer(z, angle);
             paper.output("the turned point", std::vector<double>{found.real(), found.imag()},

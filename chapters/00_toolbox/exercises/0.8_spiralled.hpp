@@ -11,11 +11,14 @@ struct Spiralled {
 
     template <class Answer>
     static void ask(Paper& paper, const Answer& answer) {
-        const Complex z{1.2, 0.7};
-        for (const Complex lambda : {Complex{-0.4, 1.9}, Complex{0.3, -0.8}}) {
+        const Complex one{1.2, 0.7}, other{-0.6, 1.1}, slow{-0.4, 1.9}, fast{0.3, -0.8};
+        for (const auto& [z, lambda, t] : {std::tuple{one, slow, 1.4},
+                                           {one, fast, 1.4},
+                                           {other, slow, 1.4},
+                                           {one, slow, 0.5}}) {
             paper.input("z", std::vector<double>{z.real(), z.imag()}, "lambda",
-                        std::vector<double>{lambda.real(), lambda.imag()}, "t", 1.4);
-            const Complex found = answer(z, lambda, 1.4);
+                        std::vector<double>{lambda.real(), lambda.imag()}, "t", t);
+            const Complex found = answer(z, lambda, t);
             paper.output("the point after t", std::vector<double>{found.real(), found.imag()},
                          3.0);
         }

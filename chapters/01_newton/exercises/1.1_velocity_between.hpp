@@ -12,9 +12,9 @@ struct VelocityBetween {
 
     template <class Answer>
     static void ask(Paper& paper, const Answer& answer) {
-        const double dt = paper.step(0.1);
-        for (const Vector3& next : {Vector3{1.7, 2.9, -0.6}, Vector3{-2.3, 0.8, 3.1}}) {
-            const Vector3 position{1.2, -0.7, 2.1};
+        const double dt = paper.step(0.4);
+        const Vector3 a{1.2, -0.7, 2.1}, b{1.7, 2.9, -0.6}, c{-2.3, 0.8, 3.1};
+        for (const auto& [position, next] : {std::pair{a, b}, {a, c}, {b, c}}) {
             paper.input("position", position, "next_position", next, "dt", dt);
             const Vector3 velocity = answer(position, next, dt);
             paper.output("the velocity [m/s]", velocity, position / dt, next / dt);

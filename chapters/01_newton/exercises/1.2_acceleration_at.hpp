@@ -11,9 +11,10 @@ struct AccelerationAt {
 
     template <class Answer>
     static void ask(Paper& paper, const Answer& answer) {
-        const double dt = paper.step(0.2);
-        for (const Vector3& here : {Vector3{1.4, 0.6, -0.8}, Vector3{-0.5, 1.9, 1.1}}) {
-            const Vector3 before{0.3, -1.2, 0.7}, after{2.1, 1.3, -1.5};
+        const double dt = paper.step(0.4);
+        const Vector3 a{0.3, -1.2, 0.7}, b{1.4, 0.6, -0.8}, c{2.1, 1.3, -1.5}, d{-0.5, 1.9, 1.1};
+        for (const auto& [before, here, after] :
+             {std::array{a, b, c}, {d, b, c}, {a, d, c}, {a, b, d}}) {
             paper.input("before", before, "here", here, "after", after, "dt", dt);
             const Vector3 acceleration = answer(before, here, after, dt);
             paper.output("the acceleration [m/s^2]", acceleration, before / (dt * dt),

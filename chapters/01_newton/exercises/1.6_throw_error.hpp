@@ -11,9 +11,10 @@ struct ThrowError {
 
     template <class Answer>
     static void ask(Paper& paper, const Answer& answer) {
-        const double dt = paper.step(0.05);
-        const Vector3 acceleration{1.3, -9.81, 2.4};
-        for (const double duration : {1.5, 4.0}) {
+        const double dt = paper.step(0.07);
+        const Vector3 down{1.3, -9.81, 2.4}, up{-2.2, 3.7, 0.6};
+        for (const auto& [acceleration, duration] :
+             {std::pair{down, 1.5}, {down, 4.0}, {up, 1.5}}) {
             const Vector3 term = acceleration * duration * dt;
             paper.input("acceleration", acceleration, "duration", duration, "dt", dt);
             const Vector3 euler = answer(Kicked::after_drift, acceleration, duration, dt);
@@ -105,6 +106,9 @@ struct ThrowError {
                                   const double steps = duration / dt;
                                   return part * steps * (dt * dt * acceleration);
                               }}},
+            .survivors = {{"statements 2 and 3 swapped",
+                           "two questions about the method that exclude each other"},
+                          {"result to int, 3", "zero has no fraction"}},
         };
     }
 #endif

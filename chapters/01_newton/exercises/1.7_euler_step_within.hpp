@@ -18,10 +18,14 @@ struct EulerStepWithin {
     template <class Answer>
     static void ask(Paper& paper, const Answer& answer) {
         const Vector3 slanted{1, -2, 3}, down{0, -9.81, 0};
-        ask_one(paper, answer, 0.6, slanted, 2);     // 12.47 steps
-        ask_one(paper, answer, 0.04, down, 3);       // 1103.6 steps
-        ask_one(paper, answer, 0.25, slanted, 1.3);  // 12.65 steps
-        ask_one(paper, answer, 50, slanted, 1.5);    // less than one step
+        ask_one(paper, answer, 0.6, slanted, 2);          // 12.47 steps
+        ask_one(paper, answer, 0.04, down, 3);            // 1103.6 steps
+        ask_one(paper, answer, 0.25, slanted, 1.3);       // 12.65 steps
+        ask_one(paper, answer, 0.25, slanted, 2.6);       // 50.6 steps
+        ask_one(paper, answer, 0.25, {4, 1, -0.5}, 2.6);  // 55.9 steps
+        ask_one(paper, answer, 50, slanted, 1.5);         // less than one step
+        ask_one(paper, answer, 1, {0, -8, 0}, 2);         // 16 steps, and all is exact
+        ask_one(paper, answer, 16, {0, 0, 8}, 2);         // one step, exactly
         ask_one(paper, answer, 0.1, Vector3::Zero(), 2.5);
     }
 
@@ -109,6 +113,23 @@ struct EulerStepWithin {
                   "with it.",
                   [](double tolerance, const Vector3& acceleration, double duration) -> double {
                       return whole_steps(duration, 2 * tolerance / acceleration.norm());
+                  }},
+                 {"one step too many where it comes out even", "classic: floor and one more",
+                  "Now and then one step more than it needs.",
+                  "You round down and add one. Where the number of steps comes out even that is "
+                  "one too many: round up.",
+                  [](double tolerance, const Vector3& acceleration, double duration) -> double {
+                      return duration / (std::floor(acceleration.norm() * duration * duration /
+                                                    (2 * tolerance)) +
+                                         1);
+                  }},
+                 {"the y component for the length", "classic: gravity points down",
+                  "A throw in the wind misses by more than the tolerance.",
+                  "You use the y component of the acceleration. Its length is what the error "
+                  "grows with: .norm().",
+                  [](double tolerance, const Vector3& acceleration, double duration) -> double {
+                      return duration / std::max(1.0, std::ceil(acceleration.y() * duration *
+                                                                duration / (2 * tolerance)));
                   }}},
             .alternatives = {{"by trying",
                               [](double tolerance, const Vector3& acceleration,
@@ -120,6 +141,10 @@ struct EulerStepWithin {
                                       ++steps;
                                   return duration / steps;
                               }}},
+            .survivors = {{"acceleration.x and y swapped", "only its length is used"},
+                          {"acceleration.y and z swapped", "only its length is used"},
+                          {"acceleration.z and x swapped", "only its length is used"},
+                          {"fraction cut off", "ceil leaves none"}},
         };
     }
 #endif

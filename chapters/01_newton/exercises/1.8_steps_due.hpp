@@ -17,18 +17,32 @@ struct StepsDue {
 
     template <class Answer>
     static void ask(Paper& paper, const Answer& answer) {
-        GameClock clock{.step = 0.01, .owed = 0.0067, .most_steps = 5};
         // even frames, a short one, none, one far too long, and what comes after it
-        for (const double frame_time :
-             {0.0141, 0.0171, 0.0172, 0.0038, 0.0, 0.0464, 0.1235, 0.0063, 0.0318}) {
-            paper.input("frame_time", frame_time, "clock.step", clock.step, "clock.owed",
-                        clock.owed, "clock.most_steps", clock.most_steps);
+        ask_clock(paper, answer, {.step = 0.01, .owed = 0.0067, .most_steps = 5},
+                  {0.0141, 0.0171, 0.0172, 0.0038, 0.0, 0.0464, 0.1235, 0.0063, 0.0318});
+        // all exact: a step that is just due, one that is not, the limit, one beyond it
+        ask_clock(paper, answer, {.step = 1. / 64, .owed = 0, .most_steps = 3},
+                  {1. / 64, 1. / 128, 1. / 128, 3. / 64, 4. / 64, 1.0, 1. / 32});
+        // a laptop that slept for two years: more steps than an int can count
+        ask_clock(paper, answer, {.step = 1. / 64, .owed = 1. / 256, .most_steps = 8},
+                  {std::ldexp(1.0, 26)});
+    }
+
+  private:
+    template <class Answer>
+    static void ask_clock(Paper& paper, const Answer& answer, GameClock clock,
+                          const std::vector<double>& frame_times) {
+        for (const double frame_time : frame_times) {
+            const double owed = clock.owed;
+            paper.input("frame_time", frame_time, "clock.step", clock.step, "clock.owed", owed,
+                        "clock.most_steps", clock.most_steps);
             const int steps = answer(clock, frame_time);
             paper.output("the number of steps", steps, 1);
-            paper.output("clock.owed afterwards [s]", clock.owed, frame_time, clock.step);
+            paper.changed("clock.owed afterwards [s]", clock.owed, owed, clock.step);
         }
     }
 
+  public:
 #ifndef NUTSHELL_SHEET
     static About<StepsDue> about() {
         return {
@@ -42,18 +56,22 @@ struct StepsDue {
             .picture = "game_loop.png",
             .mistakes =
                 {{"no memory of earlier frames", "classic",
-                  "At 60 frames a second the game runs slower than the clock; at 144 it stands "
+                  "At 60 frames a second the game runs slower than the clock; at 144 it "
+                  "stands "
                   "still.",
-                  "You count the whole steps of this frame alone and forget the rest. Add the "
+                  "You count the whole steps of this frame alone and forget the rest. Add "
+                  "the "
                   "frame's time to clock.owed, and leave there what is less than a step.",
                   [](GameClock& clock, double frame_time) -> int {
                       clock.owed = 0;
                       return at_most(clock, std::floor(frame_time / clock.step));
                   }},
                  {"the rest forgotten", "classic: the accumulator dropped each frame",
-                  "The game runs a little slower than the clock, by another part at every frame "
+                  "The game runs a little slower than the clock, by another part at every "
+                  "frame "
                   "rate.",
-                  "You set clock.owed to zero after counting. What is less than a step must stay "
+                  "You set clock.owed to zero after counting. What is less than a step must "
+                  "stay "
                   "owed, or time is lost in every frame.",
                   [](GameClock& clock, double frame_time) -> int {
                       clock.owed += frame_time;
@@ -63,7 +81,8 @@ struct StepsDue {
                   }},
                  {"rounded to the nearest", "classic",
                   "The picture jerks back: at times the physics is ahead of the clock.",
-                  "You round to the nearest whole number of steps, so a step is made before its "
+                  "You round to the nearest whole number of steps, so a step is made before "
+                  "its "
                   "time has come. Round down: only time that has passed can be paid.",
                   [](GameClock& clock, double frame_time) -> int {
                       clock.owed += frame_time;
@@ -74,7 +93,8 @@ struct StepsDue {
                  {"rounded up", "classic",
                   "The physics is always ahead of the clock, and drawing between two states "
                   "looks into the future.",
-                  "You round up, so the last step is made before its time has come. Round down.",
+                  "You round up, so the last step is made before its time has come. Round "
+                  "down.",
                   [](GameClock& clock, double frame_time) -> int {
                       clock.owed += frame_time;
                       const double due = std::max(0.0, std::ceil(clock.owed / clock.step));
@@ -83,7 +103,8 @@ struct StepsDue {
                   }},
                  {"no limit", "classic: the spiral of death",
                   "After one slow frame the next is slower still, until the game freezes.",
-                  "You never make fewer steps than are due. Beyond clock.most_steps the surplus "
+                  "You never make fewer steps than are due. Beyond clock.most_steps the "
+                  "surplus "
                   "must be dropped.",
                   [](GameClock& clock, double frame_time) -> int {
                       clock.owed += frame_time;
@@ -92,9 +113,12 @@ struct StepsDue {
                       return static_cast<int>(due);
                   }},
                  {"the surplus kept for later", "classic: the spiral of death, slowly",
-                  "After a long frame the game runs at its limit for seconds, in fast motion.",
-                  "You keep owing the steps beyond clock.most_steps, so the debt is carried on. "
-                  "Beyond the limit time is dropped: only what is less than a step stays owed.",
+                  "After a long frame the game runs at its limit for seconds, in fast "
+                  "motion.",
+                  "You keep owing the steps beyond clock.most_steps, so the debt is carried "
+                  "on. "
+                  "Beyond the limit time is dropped: only what is less than a step stays "
+                  "owed.",
                   [](GameClock& clock, double frame_time) -> int {
                       clock.owed += frame_time;
                       const int due = at_most(clock, std::floor(clock.owed / clock.step));
@@ -108,15 +132,60 @@ struct StepsDue {
                   [](GameClock& clock, double frame_time) -> int {
                       clock.owed += frame_time;
                       return at_most(clock, std::floor(clock.owed / clock.step));
+                  }},
+                 {"the cast before the limit", "classic: more than an int holds",
+                  "When the laptop wakes from a long sleep, the game asks for a negative number "
+                  "of steps.",
+                  "You turn the number of steps into an int and limit it then. After a very long "
+                  "frame no "
+                  "int can hold it: limit it first, as a double, and cast what is left.",
+                  [](GameClock& clock, double frame_time) -> int {
+                      clock.owed += frame_time;
+                      const double due = std::floor(clock.owed / clock.step);
+                      clock.owed -= due * clock.step;
+                      return std::min(static_cast<int>(due), clock.most_steps);
+                  }},
+                 {"the fraction dropped with the surplus", "classic",
+                  "After every long frame the picture jumps by a part of a step.",
+                  "Where the limit is reached you set clock.owed to zero. Only whole steps are "
+                  "dropped; the fraction of a step stays owed.",
+                  [](GameClock& clock, double frame_time) -> int {
+                      clock.owed += frame_time;
+                      double due = std::floor(clock.owed / clock.step);
+                      if (due > clock.most_steps)
+                          due = clock.most_steps, clock.owed = 0;
+                      else
+                          clock.owed -= due * clock.step;
+                      return static_cast<int>(due);
+                  }},
+                 {"the frame's time is not booked", "classic",
+                  "The game runs backwards in its own books: owed falls below zero.",
+                  "You count the steps of old and new time together, but the new time is never "
+                  "added to clock.owed.",
+                  [](GameClock& clock, double frame_time) -> int {
+                      const double due = std::floor((clock.owed + frame_time) / clock.step);
+                      clock.owed -= due * clock.step;
+                      return at_most(clock, due);
+                  }},
+                 {"the rest is kept and never spent", "classic",
+                  "At 144 frames a second the game stands still, although time is owed.",
+                  "You count the steps in this frame's time alone. The rest goes into "
+                  "clock.owed, but nobody looks for whole steps there.",
+                  [](GameClock& clock, double frame_time) -> int {
+                      const double due = std::floor(frame_time / clock.step);
+                      clock.owed += frame_time - due * clock.step;
+                      return at_most(clock, due);
                   }}},
-            .alternatives = {{"one by one",
+            .alternatives = {{"one by one up to the limit",
                               [](GameClock& clock, double frame_time) -> int {
+                                  clock.owed += frame_time;
                                   int steps = 0;
-                                  for (clock.owed += frame_time; clock.owed >= clock.step;
-                                       clock.owed -= clock.step)
-                                      ++steps;
-                                  return std::min(steps, clock.most_steps);
+                                  while (clock.owed >= clock.step && steps < clock.most_steps)
+                                      clock.owed -= clock.step, ++steps;
+                                  clock.owed = std::fmod(clock.owed, clock.step);
+                                  return steps;
                               }}},
+            .survivors = {{"fraction cut off, 2", "floor leaves none"}},
         };
     }
 #endif

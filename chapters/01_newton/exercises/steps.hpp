@@ -27,10 +27,10 @@ inline Vector3 velocity_of(const Sledge& sledge) {
 /// A force that lets no slip hide: it depends on the place and the time, and if it has drag, on
 /// the velocity.
 struct Tether {
-    double drag;
+    double pull, drag;
     template <class State>
     Vector3 operator()(const State& state, double t) const {
-        return -1.7 * state.position + (1 + t) * Vector3{0.9, -1.4, 0.7} -
+        return -pull * state.position + (1 + t) * Vector3{0.9, -1.4, 0.7} -
                drag * velocity_of(state);
     }
 };
@@ -45,17 +45,21 @@ inline constexpr const char* beyond_one_state =
 /// equation.
 template <class Answer>
 void ask_step(Paper& paper, const Answer& answer, double drag) {
-    const double dt = paper.step(0.2), t = 0.6;
-    const Tether tether{drag};
-    const PointMass body{2.5, {1.1, -0.8, 0.6}, {0.7, 1.3, -0.9}};
-    const Vector3 gain = tether(body, t) / body.mass * dt;
-    paper.input("a point mass, mass", body.mass, "position", body.position, "velocity",
-                body.velocity, "t", t, "dt", dt);
-    const PointMass moved = answer(body, tether, t, dt);
-    paper.changed("the position [m]", moved.position, body.position, body.velocity * dt,
-                  gain * dt);
-    paper.changed("the velocity [m/s]", moved.velocity, body.velocity, gain);
-    paper.changed("the mass [kg]", moved.mass, body.mass);
+    const double dt = paper.step(0.2);
+    const PointMass light{2.5, {1.1, -0.8, 0.6}, {0.7, 1.3, -0.9}},
+        heavy{7.5, {-0.4, 1.6, 0.9}, {1.2, -0.6, 0.8}};
+    for (const auto& [body, pull, t] :
+         {std::tuple{light, 1.7, 0.6}, {light, 1.7, 2.3}, {light, 0.4, 0.6}, {heavy, 1.7, 0.6}}) {
+        const Tether tether{pull, drag};
+        const Vector3 gain = tether(body, t) / body.mass * dt;
+        paper.input("a point mass, mass", body.mass, "position", body.position, "velocity",
+                    body.velocity, "on a tether of", pull, "t", t, "dt", dt);
+        const PointMass moved = answer(body, tether, t, dt);
+        paper.changed("the position [m]", moved.position, body.position, body.velocity * dt,
+                      gain * dt);
+        paper.changed("the velocity [m/s]", moved.velocity, body.velocity, gain);
+        paper.changed("the mass [kg]", moved.mass, body.mass);
+    }
 
     const Planet planet;
     const int steps = static_cast<int>(std::lround(1 / paper.step(1.0 / 64)));
@@ -68,13 +72,15 @@ void ask_step(Paper& paper, const Answer& answer, double drag) {
 
 #ifndef NUTSHELL_ESSENTIALS  // defined when a learner's step moves a PointMass only
     if (!paper.asks_beyond()) return;
-    const Sledge sledge{2.5, body.position, body.mass * body.velocity};
+    const Tether tether{1.7, drag};
+    const Sledge sledge{2.5, light.position, light.mass * light.velocity};
+    const Vector3 gain = tether(light, 0.6) / light.mass * dt;
     paper.input("a state of another type, with its own drift and kick, dt", dt);
-    const Sledge slid = answer(sledge, tether, t, dt);
-    paper.changed("the other state's position [m]", slid.position, body.position,
-                  body.velocity * dt, gain * dt);
+    const Sledge slid = answer(sledge, tether, 0.6, dt);
+    paper.changed("the other state's position [m]", slid.position, sledge.position,
+                  light.velocity * dt, gain * dt);
     paper.changed("the other state's momentum [kg m/s]", slid.momentum, sledge.momentum,
-                  gain * body.mass);
+                  gain * light.mass);
 #endif
 }
 

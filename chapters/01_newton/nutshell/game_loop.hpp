@@ -13,8 +13,9 @@ struct GameClock {
     int most_steps = 1000;  ///< a frame's limit; the time beyond it is dropped
 };
 
-/// Tells how many steps to make in this frame, and books them. If more than most_steps are
-/// due, the surplus is dropped: the game slows down instead of freezing.
+/// Tells how many steps to make in this frame, and books them: all whole steps that are due
+/// leave `owed`, the fraction of a step stays. If more than most_steps are due, the surplus is
+/// dropped with its time, however long the frame was: the game slows down instead of freezing.
 /// @param frame_time  real time since the last frame [s]
 /// @throws std::invalid_argument if the step is not positive or the frame time is negative
 inline int steps_due(GameClock& clock, double frame_time) {

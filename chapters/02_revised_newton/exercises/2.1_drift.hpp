@@ -11,16 +11,18 @@ struct DriftInMomentum {
 
     template <class Answer>
     static void ask(Paper& paper, const Answer& answer) {
-        const double dt = paper.step(0.1);
-        for (const double mass : {2.5, 0.4}) {
-            const Particle start{mass, {1.2, -0.7, 2.1}, {-3.4, 5.1, 2.6}};
-            paper.input("mass", mass, "position", start.position, "momentum", start.momentum,
-                        "dt", dt);
+        const double dt = paper.step(0.3);
+        const Vector3 a{1.2, -0.7, 2.1}, b{-3.4, 5.1, 2.6}, c{0.8, 1.9, -4.2};
+        for (const Particle& start :
+             {Particle{2.5, a, b}, {0.4, a, b}, {2.5, c, b}, {2.5, a, c}}) {
+            paper.input("mass", start.mass, "position", start.position, "momentum",
+                        start.momentum, "dt", dt);
             Particle body = start;
             answer(body, dt);
             paper.changed("the position after the drift [m]", body.position, start.position,
-                          start.momentum / mass * dt);
+                          start.momentum / start.mass * dt);
             paper.changed("the momentum after the drift [kg m/s]", body.momentum, start.momentum);
+            paper.changed("the mass after the drift [kg]", body.mass, start.mass);
         }
     }
 

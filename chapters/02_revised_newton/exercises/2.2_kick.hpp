@@ -11,16 +11,19 @@ struct KickInMomentum {
 
     template <class Answer>
     static void ask(Paper& paper, const Answer& answer) {
-        const double dt = paper.step(0.1);
-        const Vector3 force{14, -23, 9};
-        for (const double mass : {2.5, 0.4}) {
-            const Particle start{mass, {1.2, -0.7, 2.1}, {-3.4, 5.1, 2.6}};
-            paper.input("mass", mass, "momentum", start.momentum, "force", force, "dt", dt);
+        const double dt = paper.step(0.3);
+        const Vector3 a{1.2, -0.7, 2.1}, b{-3.4, 5.1, 2.6}, f{14, -23, 9}, g{-6, 3.5, 11};
+        for (const auto& [start, force] : {std::pair{Particle{2.5, a, b}, f},
+                                           {Particle{0.4, a, b}, f},
+                                           {Particle{2.5, a, a}, f},
+                                           {Particle{2.5, a, b}, g}}) {
+            paper.input("mass", start.mass, "momentum", start.momentum, "force", force, "dt", dt);
             Particle body = start;
             answer(body, force, dt);
             paper.changed("the momentum after the kick [kg m/s]", body.momentum, start.momentum,
                           force * dt);
             paper.changed("the position after the kick [m]", body.position, start.position);
+            paper.changed("the mass after the kick [kg]", body.mass, start.mass);
         }
     }
 

@@ -11,9 +11,10 @@ struct TotalForce {
 
     template <class Answer>
     static void ask(Paper& paper, const Answer& answer) {
-        const std::vector<Vector3> all{{3, -19.6, 2}, {-7.5, 4.2, 11}, {5.4, 31, -6.1}};
-        for (const std::size_t count :
-             {std::size_t{3}, std::size_t{2}, std::size_t{1}, std::size_t{0}}) {
+        const std::vector<Vector3> all{{3, -19.6, 2},     {-7.5, 4.2, 11},  {5.4, 31, -6.1},
+                                       {-2.2, 8.3, -4.7}, {6.1, -3.9, 1.8}, {0.7, 2.6, 9.4}};
+        for (const std::size_t count : {std::size_t{3}, all.size(), std::size_t{5},
+                                        std::size_t{2}, std::size_t{1}, std::size_t{0}}) {
             const std::vector<Vector3> forces(all.begin(),
                                               all.begin() + static_cast<std::ptrdiff_t>(count));
             paper.input("how many forces", static_cast<double>(count), "forces", numbers(forces));
@@ -73,6 +74,14 @@ struct TotalForce {
                       Vector3 sum = Vector3::Zero();
                       for (const Vector3& force : forces) sum += force.cwiseAbs();
                       return sum;
+                  }},
+                 {"the last force is skipped", "classic: one too few",
+                  "Whatever stands last in the list does nothing.",
+                  "Your sum ends before the last force.",
+                  [](std::span<const Vector3> forces) -> Vector3 {
+                      Vector3 sum = Vector3::Zero();
+                      for (std::size_t i = 0; i + 1 < forces.size(); ++i) sum += forces[i];
+                      return sum;
                   }}},
             .alternatives = {{"component by component, from the back",
                               [](std::span<const Vector3> forces) -> Vector3 {
@@ -81,6 +90,7 @@ struct TotalForce {
                                       x += forces[i].x(), y += forces[i].y(), z += forces[i].z();
                                   return {x, y, z};
                               }}},
+            .survivors = {{"fraction cut off", "zero has no fraction"}},
         };
     }
 #endif

@@ -11,16 +11,21 @@ struct ExchangeMass {
 
     template <class Answer>
     static void ask(Paper& paper, const Answer& answer) {
-        const Particle start{2.5, {1.2, -0.7, 2.1}, {-13, 5.1, 8.6}};
-        const Vector3 v = start.momentum / start.mass;
-        for (const double dm : {-0.9, 1.4})
-            for (const Vector3& w : {Vector3{-7, 2.4, 4.1}, Vector3{0, 0, 0}, Vector3(-v)}) {
-                paper.input("mass", start.mass, "momentum", start.momentum, "dm", dm, "w", w);
-                Particle body = start;
-                answer(body, dm, w);
-                paper.changed("the mass after the exchange [kg]", body.mass, start.mass, dm);
-                paper.changed("the momentum after the exchange [kg m/s]", body.momentum,
-                              start.momentum, dm * v, dm * w);
+        const Vector3 place{1.2, -0.7, 2.1}, fast{-13, 5.1, 8.6}, slow{2.1, -0.9, 1.4};
+        for (const Particle& start :
+             {Particle{2.5, place, fast}, {4.5, place, fast}, {2.5, place, slow}})
+            for (const double dm : {-0.9, 1.4}) {
+                const Vector3 v = start.momentum / start.mass;
+                for (const Vector3& w : {Vector3{-7, 2.4, 4.1}, Vector3{0, 0, 0}, Vector3(-v)}) {
+                    paper.input("mass", start.mass, "momentum", start.momentum, "dm", dm, "w", w);
+                    Particle body = start;
+                    answer(body, dm, w);
+                    paper.changed("the mass after the exchange [kg]", body.mass, start.mass, dm);
+                    paper.changed("the momentum after the exchange [kg m/s]", body.momentum,
+                                  start.momentum, dm * v, dm * w);
+                    paper.changed("the position after the exchange [m]", body.position,
+                                  start.position);
+                }
             }
     }
 

@@ -11,9 +11,13 @@ struct AccelerationWithFlow {
 
     template <class Answer>
     static void ask(Paper& paper, const Answer& answer) {
-        const Vector3 force{3.2, -24, 1.7}, w{-8, 5.5, 3.1};
-        const double mass = 2.4;
-        for (const double rate : {-1.3, 0.7, 0.0}) {
+        const Vector3 f{3.2, -24, 1.7}, g{-5.1, 8.3, 4.4}, exhaust{-8, 5.5, 3.1};
+        for (const auto& [force, mass, w, rate] : {std::tuple{f, 2.4, exhaust, -1.3},
+                                                   {f, 2.4, exhaust, 0.7},
+                                                   {f, 2.4, exhaust, 0.0},
+                                                   {g, 2.4, exhaust, -1.3},
+                                                   {f, 7.1, exhaust, -1.3},
+                                                   {f, 2.4, g, -1.3}}) {
             paper.input("force", force, "mass", mass, "w", w, "mass_rate", rate);
             const Vector3 a = answer(force, mass, w, rate);
             paper.output("the acceleration [m/s^2]", a, force / mass, rate / mass * w);
@@ -53,7 +57,20 @@ struct AccelerationWithFlow {
                   "Everything moves as if it weighed one kilogram.",
                   "You return the whole force. The acceleration is that over the mass.",
                   [](const Vector3& force, double, const Vector3& w,
-                     double mass_rate) -> Vector3 { return force + mass_rate * w; }}},
+                     double mass_rate) -> Vector3 { return force + mass_rate * w; }},
+                 {"the mass a second later", "classic",
+                  "The rocket is a little too lively from the start.",
+                  "You divide by the mass plus its rate. A rate is no mass: dm/dt acts through "
+                  "the thrust alone; divide by the mass of this moment.",
+                  [](const Vector3& force, double mass, const Vector3& w, double mass_rate)
+                      -> Vector3 { return (force + mass_rate * w) / (mass + mass_rate); }},
+                 {"the thrust without its rate", "classic",
+                  "The engine pushes as hard when it is off.",
+                  "You add the velocity of the exhaust as if it were a force. It becomes one by "
+                  "the mass that goes per second: times dm/dt.",
+                  [](const Vector3& force, double mass, const Vector3& w, double) -> Vector3 {
+                      return (force + w) / mass;
+                  }}},
             .alternatives = {{"each part over the mass",
                               [](const Vector3& force, double mass, const Vector3& w,
                                  double mass_rate) -> Vector3 {

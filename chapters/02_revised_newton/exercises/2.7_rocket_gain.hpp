@@ -11,11 +11,14 @@ struct RocketGain {
 
     template <class Answer>
     static void ask(Paper& paper, const Answer& answer) {
-        const double u = 230;
-        for (const double m : {2.5, 7.3, 9.9}) {
-            paper.input("u", u, "m0", 10.0, "m", m);
-            const double gain = answer(u, 10.0, m);
-            paper.output("the gain of speed [m/s]", gain, u * (10 - m) / 10);
+        for (const auto& [u, m0, m] : {std::tuple{230.0, 10.0, 2.5},
+                                       {230.0, 10.0, 7.3},
+                                       {230.0, 10.0, 9.9},
+                                       {4400.0, 10.0, 2.5},
+                                       {230.0, 36.0, 2.5}}) {
+            paper.input("u", u, "m0", m0, "m", m);
+            const double gain = answer(u, m0, m);
+            paper.output("the gain of speed [m/s]", gain, u * (m0 - m) / m0);
         }
     }
 
@@ -50,7 +53,24 @@ struct RocketGain {
                   "You throw all of it at once, with the whole of the gain for what is left. A "
                   "stream of small parcels gives less: the early ones must push the later ones "
                   "along.",
-                  [](double u, double m0, double m) -> double { return u * (m0 - m) / m; }}},
+                  [](double u, double m0, double m) -> double { return u * (m0 - m) / m; }},
+                 {"the logarithm of the difference", "classic",
+                  "The gain depends on whether you count kilograms or tonnes.",
+                  "You take the logarithm of a mass. It is that of a number without unit: how "
+                  "often m goes into m0.",
+                  [](double u, double m0, double m) -> double { return u * std::log(m0 - m); }},
+                 {"a quotient of logarithms", "classic: log(a/b) is not log(a)/log(b)",
+                  "The gain depends on whether you count kilograms or tonnes.",
+                  "The logarithm of a quotient is the difference of two logarithms, not their "
+                  "quotient.",
+                  [](double u, double m0, double m) -> double {
+                      return u * std::log(m0) / std::log(m);
+                  }},
+                 {"the exponential", "classic: the inverse function",
+                  "The smallest rocket reaches the stars.",
+                  "The exponential undoes the logarithm. To get the gain from the masses take "
+                  "the logarithm.",
+                  [](double u, double m0, double m) -> double { return u * std::exp(m0 / m); }}},
             .alternatives = {{"two logarithms",
                               [](double u, double m0, double m) -> double {
                                   return u * std::log(m0) - u * std::log(m);

@@ -11,8 +11,13 @@ struct PropellantFor {
 
     template <class Answer>
     static void ask(Paper& paper, const Answer& answer) {
-        const double u = 230, m0 = 10;
-        for (const double gain : {40.0, 230.0, 610.0}) {
+        for (const auto& [gain, u, m0] :
+             {std::tuple{40.0, 230.0, 10.0},
+              {230.0, 230.0, 10.0},
+              {610.0, 230.0, 10.0},
+              {610.0, 1800.0, 10.0},
+              {610.0, 230.0, 37.0},
+              {3e5, 230.0, 10.0}}) {  // all of it, and e^1300 is infinite
             paper.input("gain", gain, "u", u, "m0", m0);
             const double propellant = answer(gain, u, m0);
             paper.output("the propellant [kg]", propellant, m0);
@@ -55,6 +60,18 @@ struct PropellantFor {
                   "speeds, that goes into the exponent.",
                   [](double gain, double u, double m0) -> double {
                       return m0 * (1 - std::exp(-u / gain));
+                  }},
+                 {"the sign in the exponent", "classic: a sign",
+                  "The planner asks for a negative mass, and for an infinite one.",
+                  "What is left of m0 falls with the gain: e to the power minus gain/u.",
+                  [](double gain, double u, double m0) -> double {
+                      return m0 * (1 - std::exp(gain / u));
+                  }},
+                 {"a logarithm again", "classic: the inverse function",
+                  "The planner asks for a negative mass.",
+                  "Exercise 2.7 has the logarithm. To undo it you need the exponential.",
+                  [](double gain, double u, double m0) -> double {
+                      return m0 * std::log(gain / u);
                   }}},
             .alternatives = {{"expm1",
                               [](double gain, double u, double m0) -> double {

@@ -15,6 +15,8 @@ struct SpringForce {
         ask_one(paper, answer, {12.5, 1.6}, end, far);   // longer than at rest: pulls
         ask_one(paper, answer, {12.5, 1.6}, end, near);  // shorter: pushes
         ask_one(paper, answer, {3.5, 0}, end, far);
+        ask_one(paper, answer, {3.5, 1.6}, end, far);
+        ask_one(paper, answer, {12.5, 1.6}, near, far);
         ask_one(paper, answer, {12.5, 1.6}, end,
                 end + Vector3(6e-7, 0, -8e-7));  // nearly meet: it pushes with all its might
         ask_one(paper, answer, {12.5, 1.6}, end, end);  // the ends meet
@@ -87,7 +89,28 @@ struct SpringForce {
                   "The 1/2 belongs to the spring's energy. Its force is the slope of the energy, "
                   "and there the 1/2 is gone.",
                   [](const Spring& spring, const Vector3& end, const Vector3& other_end)
-                      -> Vector3 { return spring_force(spring, end, other_end) / 2; }}},
+                      -> Vector3 { return spring_force(spring, end, other_end) / 2; }},
+                 {"it always pulls", "classic: an abs too many", "A compressed spring collapses.",
+                  "You take the size of the stretch. Its sign says whether the spring pulls or "
+                  "pushes.",
+                  [](const Spring& spring, const Vector3& end,
+                     const Vector3& other_end) -> Vector3 {
+                      const Vector3 d = end - other_end;
+                      const double length = d.norm();
+                      if (length == 0) return Vector3::Zero();
+                      return -spring.stiffness * std::abs(length - spring.rest_length) / length *
+                             d;
+                  }},
+                 {"the rest length taken from every component", "classic: a number from a vector",
+                  "The spring pulls towards a corner of the world.",
+                  "You take the rest length from x, y and z alike. It is a length: take it from "
+                  "the length, and go along the direction.",
+                  [](const Spring& spring, const Vector3& end,
+                     const Vector3& other_end) -> Vector3 {
+                      const Vector3 d = end - other_end;
+                      if (d.norm() == 0) return Vector3::Zero();
+                      return -spring.stiffness * (d - Vector3::Constant(spring.rest_length));
+                  }}},
             .alternatives =
                 {{"by a unit vector",
                   [](const Spring& spring, const Vector3& end,
@@ -97,6 +120,7 @@ struct SpringForce {
                       return spring.stiffness * ((end - other_end).norm() - spring.rest_length) *
                              towards;
                   }}},
+            .survivors = {{"result to int", "zero has no fraction"}},
         };
     }
 #endif

@@ -11,20 +11,24 @@ struct RungeKutta4 {
 
     /// A pendulum that is pushed: not linear, and it depends on the time.
     struct Pendulum {
+        double gravity;
         Eigen::Vector2d operator()(const Eigen::Vector2d& y, double t) const {
-            return {y[1] + 0.1 * t, -3.7 * std::sin(y[0]) - 0.4 * y[1] + t * t};
+            return {y[1] + 0.1 * t, -gravity * std::sin(y[0]) - 0.4 * y[1] + t * t};
         }
     };
 
     template <class Answer>
     static void ask(Paper& paper, const Answer& answer) {
         const double dt = paper.step(0.2);
-        const Eigen::Vector2d start(0.9, -1.3);
-        for (const double t : {0.0, 1.4}) {
-            paper.input("a pushed pendulum, angle and rate", start, "t", t, "dt", dt);
-            const Eigen::Vector2d end = answer(start, Pendulum{}, t, dt);
+        const Eigen::Vector2d one(0.9, -1.3), other(-0.4, 2.2);
+        for (const auto& [start, gravity, t] :
+             {std::tuple{one, 3.7, 0.0}, {one, 3.7, 1.4}, {other, 3.7, 0.0}, {one, 9.8, 0.0}}) {
+            const Pendulum pendulum{gravity};
+            paper.input("a pushed pendulum, angle and rate", start, "gravity", gravity, "t", t,
+                        "dt", dt);
+            const Eigen::Vector2d end = answer(start, pendulum, t, dt);
             paper.changed("the state after the step", end, start,
-                          Eigen::Vector2d(Pendulum{}(start, t) * dt));
+                          Eigen::Vector2d(pendulum(start, t) * dt));
         }
         const int steps = static_cast<int>(std::lround(1 / paper.step(1.0 / 8)));
         paper.input("y' = -y + 2 t from y = 1, for 1 s in", steps, "steps");
@@ -110,6 +114,37 @@ struct RungeKutta4 {
                                  k3 = flow(Flat(y + dt / 2 * k2), t + dt / 2),
                                  k4 = flow(Flat(y + dt * k3), t + dt);
                       return y + dt * (k1 + 2 * k2 + 2 * k3 + k4);
+                  }},
+                 {"the middle rates counted once", "classic: the weights",
+                  "Everything moves by two thirds of its way.",
+                  "You divide by six, but count the two rates in the middle once: the weights "
+                  "are 1, 2, 2, 1.",
+                  []<class Flat, class Rate>(const Flat& y, const Rate& flow, double t,
+                                             double dt) -> Flat {
+                      const Flat k1 = flow(y, t), k2 = flow(Flat(y + dt / 2 * k1), t + dt / 2),
+                                 k3 = flow(Flat(y + dt / 2 * k2), t + dt / 2),
+                                 k4 = flow(Flat(y + dt * k3), t + dt);
+                      return y + dt / 6 * (k1 + k2 + k3 + k4);
+                  }},
+                 {"the looks forget dt", "classic: a rate for a way",
+                  "With small steps the looks stand far away, and it gets worse.",
+                  "You go along the rates as if they were ways. A rate times dt is a way: y + "
+                  "dt/2 k1.",
+                  []<class Flat, class Rate>(const Flat& y, const Rate& flow, double t,
+                                             double dt) -> Flat {
+                      const Flat k1 = flow(y, t), k2 = flow(Flat(y + k1 / 2), t + dt / 2),
+                                 k3 = flow(Flat(y + k2 / 2), t + dt / 2),
+                                 k4 = flow(Flat(y + k3), t + dt);
+                      return y + dt / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
+                  }},
+                 {"Heun's method", "classic: RK2",
+                  "The error falls to a quarter when the step is halved, not to a sixteenth.",
+                  "The mean of the rates at the start and at the end is Heun's method, of second "
+                  "order. RK4 looks twice in the middle too.",
+                  []<class Flat, class Rate>(const Flat& y, const Rate& flow, double t,
+                                             double dt) -> Flat {
+                      const Flat k1 = flow(y, t), k2 = flow(Flat(y + dt * k1), t + dt);
+                      return y + dt / 2 * (k1 + k2);
                   }}},
             .alternatives = {{"by increments",
                               []<class Flat, class Rate>(const Flat& y, const Rate& flow,

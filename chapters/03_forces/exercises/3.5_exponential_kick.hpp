@@ -134,6 +134,39 @@ struct ExponentialKick {
                       state.velocity =
                           state.velocity * std::exp(-x) + acceleration * dt * mean_decay(x);
                       return state;
+                  }},
+                 {"the fall without its drag", "classic: a t^2/2",
+                  "The velocity is right, and a long step falls too far.",
+                  "The way of what the force adds is a dt^2/2 without drag only; with it the "
+                  "half becomes second_mean_decay(x).",
+                  [](auto state, const auto& forces, double t, double dt) {
+                      const double x = forces.drag * dt / state.mass;
+                      const Vector3 a = force_at_rest(state, forces, t) / state.mass;
+                      state.position += state.velocity * dt * mean_decay(x) + a * dt * dt / 2;
+                      state.velocity = state.velocity * std::exp(-x) + a * dt * mean_decay(x);
+                      return state;
+                  }},
+                 {"the gain without its drag", "classic: v + a t",
+                  "A falling stone never reaches its terminal velocity.",
+                  "What the force adds during the step decays too: a dt times mean_decay(x).",
+                  [](auto state, const auto& forces, double t, double dt) {
+                      const double x = forces.drag * dt / state.mass;
+                      const Vector3 a = force_at_rest(state, forces, t) / state.mass;
+                      state.position += state.velocity * dt * mean_decay(x) +
+                                        a * dt * dt * second_mean_decay(x);
+                      state.velocity = state.velocity * std::exp(-x) + a * dt;
+                      return state;
+                  }},
+                 {"the force taken for an acceleration", "classic: not divided by mass",
+                  "Heavy things fall faster than light ones.",
+                  "force_at_rest gives a force: divide it by the mass.",
+                  [](auto state, const auto& forces, double t, double dt) {
+                      const double x = forces.drag * dt / state.mass;
+                      const Vector3 a = force_at_rest(state, forces, t);
+                      state.position += state.velocity * dt * mean_decay(x) +
+                                        a * dt * dt * second_mean_decay(x);
+                      state.velocity = state.velocity * std::exp(-x) + a * dt * mean_decay(x);
+                      return state;
                   }}},
             .alternatives = {{"through the terminal velocity",
                               [](auto state, const auto& forces, double t, double dt) {

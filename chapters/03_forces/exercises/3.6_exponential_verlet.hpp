@@ -118,6 +118,58 @@ struct ExponentialVerletStep {
                       kick(state, force, dt / 2);
                       state.velocity *= half_decay;
                       return state;
+                  }},
+                 {"half of the decay, not the decay of half a step", "classic",
+                  "Everything stops within a few steps, even in a vacuum.",
+                  "You take half of the factor. What each end needs is the factor of half a "
+                  "step: dt/2 goes into the exponent.",
+                  [](auto state, const auto& forces, double t, double dt) {
+                      const double half_decay = std::exp(-forces.drag * dt / state.mass) / 2;
+                      state.velocity *= half_decay;
+                      kick(state, force_at_rest(state, forces, t), dt / 2);
+                      drift(state, dt);
+                      kick(state, force_at_rest(state, forces, t + dt), dt / 2);
+                      state.velocity *= half_decay;
+                      return state;
+                  }},
+                 {"a straight line for the decay", "classic: 1 - x for e^-x",
+                  "The error falls at first order, and with strong drag the velocity turns "
+                  "round.",
+                  "1 - gamma dt/(2 m) is only the beginning of the exponential: take e to the "
+                  "power of it.",
+                  [](auto state, const auto& forces, double t, double dt) {
+                      const double half_decay = 1 - forces.drag * dt / (2 * state.mass);
+                      state.velocity *= half_decay;
+                      kick(state, force_at_rest(state, forces, t), dt / 2);
+                      drift(state, dt);
+                      kick(state, force_at_rest(state, forces, t + dt), dt / 2);
+                      state.velocity *= half_decay;
+                      return state;
+                  }},
+                 {"a decay that grows", "classic: the sign",
+                  "Everything is thrown out of the level.",
+                  "The exponent has the wrong sign: drag makes the velocity decay.",
+                  [](auto state, const auto& forces, double t, double dt) {
+                      const double half_decay = std::exp(forces.drag * dt / 2 / state.mass);
+                      state.velocity *= half_decay;
+                      kick(state, force_at_rest(state, forces, t), dt / 2);
+                      drift(state, dt);
+                      kick(state, force_at_rest(state, forces, t + dt), dt / 2);
+                      state.velocity *= half_decay;
+                      return state;
+                  }},
+                 {"the half-drags inside", "the book's other form",
+                  "None to speak of: it is as good as the one asked for, and has another limit.",
+                  "You put the half-drags next to the drift. That is of second order too, but "
+                  "here they stand outermost.",
+                  [](auto state, const auto& forces, double t, double dt) {
+                      const double half_decay = std::exp(-forces.drag * dt / 2 / state.mass);
+                      kick(state, force_at_rest(state, forces, t), dt / 2);
+                      state.velocity *= half_decay;
+                      drift(state, dt);
+                      state.velocity *= half_decay;
+                      kick(state, force_at_rest(state, forces, t + dt), dt / 2);
+                      return state;
                   }}},
             .alternatives = {{"Verlet of the force at rest",
                               []<class State, class Forces>(State state, const Forces& forces,

@@ -11,12 +11,14 @@ struct EulerLimit {
 
     template <class Answer>
     static void ask(Paper& paper, const Answer& answer) {
-        ask_one(paper, answer, 3.0, 0.0);  // never
-        ask_one(paper, answer, 3.0, 0.7);  // underdamped
+        for (const double g : {0.0, 0.7, 3.3, 5.0, 5.9999})  // swings; without drag it never is
+            ask_one(paper, answer, 3.0, g);
+        ask_one(paper, answer, 2.5, 5.0);                      // just creeps
+        for (const double g : {6.0001, 6.6, 8.0, 10.5, 14.5})  // creeps
+            ask_one(paper, answer, 3.0, g);
         ask_one(paper, answer, 1.4, 2.1);
-        ask_one(paper, answer, 2.5, 5.0);   // critical
-        ask_one(paper, answer, 3.0, 14.5);  // overdamped
-        ask_one(paper, answer, 0.0, 4.0);   // drag alone
+        ask_one(paper, answer, 1.4, 14.5);
+        ask_one(paper, answer, 0.0, 4.0);  // drag alone
     }
 
   private:
@@ -76,6 +78,14 @@ struct EulerLimit {
                   [](double omega, double g) -> double {
                       if (g * g < 4 * omega * omega) return g / (omega * omega);
                       return 2 / (g + std::sqrt(g * g - 4 * omega * omega));
+                  }},
+                 {"Verlet's limit while it swings", "E04's claim",
+                  "A lightly damped spring explodes.",
+                  "Where it creeps you are right. Where it swings the limit is g/omega^2: "
+                  "without drag Euler has none but zero. 2/omega is Verlet's.",
+                  [](double omega, double g) -> double {
+                      if (g * g < 4 * omega * omega) return 2 / omega;
+                      return 4 / (g + std::sqrt(g * g - 4 * omega * omega));
                   }}},
             .alternatives = {{"by the rates",
                               [](double omega, double g) -> double {
@@ -88,6 +98,7 @@ struct EulerLimit {
                                               std::min(least, -2 * rate.real() / std::norm(rate));
                                   return std::max(0.0, least);
                               }}},
+            .survivors = {{"< to <=", "at g = 2 omega both limits are 2/omega"}},
         };
     }
 #endif

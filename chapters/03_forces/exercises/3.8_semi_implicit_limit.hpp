@@ -42,49 +42,59 @@ struct SemiImplicitLimit {
                       "The condition is theta^2 + 2 G = 4: a quadratic in dt. Write its positive "
                       "root so that neither g = 0 nor omega = 0 is a division by zero."},
             .picture = "regions_spring.svg",
-            .mistakes = {{"the drag left out", "classic",
-                          "A damped spring explodes at a step that was safe without damping.",
-                          "2/omega is the limit without drag. Drag in the kick makes it smaller.",
-                          [](double omega, double) -> double { return 2 / omega; }},
-                         {"implicit drag", "classic: the sign of g", "A damped spring explodes.",
-                          "With a plus you have the limit for implicit drag, v/(1 + g dt), which "
-                          "grows with g. With the drag in the kick it shrinks.",
-                          [](double omega, double g) -> double {
-                              return (g + std::sqrt(g * g + 4 * omega * omega)) / (omega * omega);
-                          }},
-                         {"the limit of drag alone", "classic", "A stiff spring explodes.",
-                          "2/g is the limit without spring. Both enter.",
-                          [](double, double g) -> double { return 2 / g; }},
-                         {"no spring is a division by zero", "classic",
-                          "Where there is only drag, the step becomes NaN.",
-                          "The formula is right, but for omega = 0 it is zero over zero, and "
-                          "near it loses its digits. Multiply above and below by the same sum.",
-                          [](double omega, double g) -> double {
-                              return (-g + std::sqrt(g * g + 4 * omega * omega)) /
-                                     (omega * omega);
-                          }},
-                         {"the digits cancel", "classic: a difference of neighbours",
-                          "With much drag and a weak spring the step is noise, or zero.",
-                          "The formula is right, and no spring at all is looked after. But for a "
-                          "weak one the root is nearly g, and the difference loses its digits. "
-                          "Multiply above and below by the same sum.",
-                          [](double omega, double g) -> double {
-                              return omega == 0 ? 2 / g : limit_dividing_by_zero(omega, g);
-                          }},
-                         {"Euler's limit", "classic",
-                          "The step is far smaller than it need be, or zero without drag.",
-                          "This is Euler's limit. Semi-implicit Euler kicks first, and its "
-                          "matrix is another.",
-                          [](double omega, double g) -> double {
-                              if (g * g < 4 * omega * omega) return g / (omega * omega);
-                              return 4 / (g + std::sqrt(g * g - 4 * omega * omega));
-                          }},
-                         {"half the limit", "classic: a lost factor",
-                          "Stable, at twice the cost.",
-                          "At theta^2 + 2 G = 4 the root gives 4 over the sum, not 2.",
-                          [](double omega, double g) -> double {
-                              return 2 / (g + std::sqrt(g * g + 4 * omega * omega));
-                          }}},
+            .mistakes =
+                {{"the drag left out", "classic",
+                  "A damped spring explodes at a step that was safe without damping.",
+                  "2/omega is the limit without drag. Drag in the kick makes it smaller.",
+                  [](double omega, double) -> double { return 2 / omega; }},
+                 {"implicit drag", "classic: the sign of g", "A damped spring explodes.",
+                  "With a plus you have the limit for implicit drag, v/(1 + g dt), which "
+                  "grows with g. With the drag in the kick it shrinks.",
+                  [](double omega, double g) -> double {
+                      return (g + std::sqrt(g * g + 4 * omega * omega)) / (omega * omega);
+                  }},
+                 {"the limit of drag alone", "classic", "A stiff spring explodes.",
+                  "2/g is the limit without spring. Both enter.",
+                  [](double, double g) -> double { return 2 / g; }},
+                 {"no spring is a division by zero", "classic",
+                  "Where there is only drag, the step becomes NaN.",
+                  "The formula is right, but for omega = 0 it is zero over zero, and "
+                  "near it loses its digits. Multiply above and below by the same sum.",
+                  [](double omega, double g) -> double {
+                      return (-g + std::sqrt(g * g + 4 * omega * omega)) / (omega * omega);
+                  }},
+                 {"the digits cancel", "classic: a difference of neighbours",
+                  "With much drag and a weak spring the step is noise, or zero.",
+                  "The formula is right, and no spring at all is looked after. But for a "
+                  "weak one the root is nearly g, and the difference loses its digits. "
+                  "Multiply above and below by the same sum.",
+                  [](double omega, double g) -> double {
+                      return omega == 0 ? 2 / g : limit_dividing_by_zero(omega, g);
+                  }},
+                 {"Euler's limit", "classic",
+                  "The step is far smaller than it need be, or zero without drag.",
+                  "This is Euler's limit. Semi-implicit Euler kicks first, and its "
+                  "matrix is another.",
+                  [](double omega, double g) -> double {
+                      if (g * g < 4 * omega * omega) return g / (omega * omega);
+                      return 4 / (g + std::sqrt(g * g - 4 * omega * omega));
+                  }},
+                 {"half the limit", "classic: a lost factor", "Stable, at twice the cost.",
+                  "At theta^2 + 2 G = 4 the root gives 4 over the sum, not 2.",
+                  [](double omega, double g) -> double {
+                      return 2 / (g + std::sqrt(g * g + 4 * omega * omega));
+                  }},
+                 {"the lesser of two limits", "classic",
+                  "With spring and drag together it explodes.",
+                  "You take the lesser of the limits for spring and drag alone. Together they "
+                  "leave less than either.",
+                  [](double omega, double g) -> double { return std::min(2 / omega, 2 / g); }},
+                 {"the 4 under the root lost", "classic: the quadratic formula",
+                  "A stiff spring explodes.",
+                  "The discriminant of the quadratic is g^2 + 4 omega^2.",
+                  [](double omega, double g) -> double {
+                      return 4 / (g + std::sqrt(g * g + omega * omega));
+                  }}},
             .alternatives =
                 {{"by bisection",
                   [](double omega, double g) -> double {

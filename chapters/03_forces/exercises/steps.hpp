@@ -25,12 +25,17 @@ struct Sinking {
 /// One step under both forces, for several drags and a mass that is not one.
 template <class Answer>
 void ask_dragged_step(Paper& paper, const Answer& answer) {
-    const double dt = paper.step(0.3), t = 0.7;
-    const PointMass body{2.5, {1.1, -0.8, 0.6}, {0.7, 1.3, -0.9}};
-    for (const double drag : {0.6, 3.5}) {
+    const double dt = paper.step(0.3);
+    const Vector3 here{1.1, -0.8, 0.6}, there{-0.5, 1.4, 0.9}, fast{0.7, 1.3, -0.9};
+    for (const auto& [body, drag, t] : {std::tuple{PointMass{2.5, here, fast}, 0.6, 0.7},
+                                        {PointMass{2.5, here, fast}, 3.5, 0.7},
+                                        {PointMass{2.5, here, fast}, 3.5, 1.9},
+                                        {PointMass{0.8, here, fast}, 3.5, 0.7},
+                                        {PointMass{2.5, there, fast}, 3.5, 0.7},
+                                        {PointMass{2.5, here, there}, 3.5, 0.7}}) {
         const Dragged forces{drag};
-        paper.input("a point mass, mass [kg]", body.mass, "at", body.position,
-                    "with the velocity", body.velocity, "drag", drag, "dt", dt);
+        paper.input("mass", body.mass, "position", body.position, "velocity", body.velocity,
+                    "drag", drag, "t", t, "dt", dt);
         const PointMass moved = answer(body, forces, t, dt);
         const Vector3 gain = forces(body, t) / body.mass * dt;
         paper.changed("the position [m]", moved.position, body.position, body.velocity * dt,

@@ -98,6 +98,20 @@ struct Exponential {
                                       angle == 0 ? 0.5 : std::sin(angle / 2) / angle;
                                   return four_vector(scale * a, std::cos(angle / 2));
                               }}},
+            .survivors = {{"- to +",
+                           "below 1e-8 the third term of the series is less than the tolerance"},
+                          {"48 to 0.999 of it",
+                           "below 1e-8 the third term of the series is less than the tolerance"},
+                          {"48 to 48 + 1",
+                           "below 1e-8 the third term of the series is less than the tolerance"},
+                          {"1e-8 to 0.999 of it",
+                           "either side of the border both forms are right to the tolerance"},
+                          {"< at 0.8 * 1e-8",
+                           "either side of the border both forms are right to the tolerance"},
+                          {"< at 1.25 * 1e-8",
+                           "either side of the border both forms are right to the tolerance"},
+                          {"< to <=",
+                           "either side of the border both forms are right to the tolerance"}},
         };
     }
 #endif

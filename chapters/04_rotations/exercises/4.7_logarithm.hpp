@@ -13,7 +13,7 @@ struct Logarithm {
     static void ask(Paper& paper, const Answer& answer) {
         const Vector3 n = Vector3(2, -3, 6) / 7, m = Vector3(-6, 2, 3) / 7;
         for (const Vector3& axis : {n, m})
-            for (const double angle : {0.7, 2.9, 3.3, 5.1, -1.2, 2e-5, 3e-9}) {
+            for (const double angle : {0.7, 2.9, 3.3, 5.1, -1.2, 1.98e-4, 2e-5, 3e-9}) {
                 const Quaternion q = four_vector(std::sin(angle / 2) * axis, std::cos(angle / 2));
                 paper.input("q", q);
                 const Vector3 a = answer(q);
@@ -89,6 +89,31 @@ struct Logarithm {
                                   const Eigen::AngleAxisd turn(q);
                                   return turn.angle() * turn.axis();
                               }}},
+            .survivors =
+                {{"* to /, 3", "w is one to 5e-9 where the series is used"},
+                 {"* to /, 4", "w is one to 5e-9 where the series is used"},
+                 {"* to /, 6", "w is one to 5e-9 where the series is used"},
+                 {"* to /, 7", "w is one to 5e-9 where the series is used"},
+                 {"1 to 0.999 of it", "a common factor of u and w drops out"},
+                 {"1 to 0.999 of it, 2", "a common factor of u and w drops out"},
+                 {"1 to 1 + 1", "a common factor of u and w drops out"},
+                 {"1 to 1 + 1, 2", "a common factor of u and w drops out"},
+                 {"2 to 0.999 of it, 2",
+                  "it changes the answer by less than the tolerance where the series is used"},
+                 {"3 to 0.999 of it",
+                  "it changes the answer by less than the tolerance where the series is used"},
+                 {"3 to 3 + 1",
+                  "it changes the answer by less than the tolerance where the series is used"},
+                 {"1e-8 to 0.999 of it",
+                  "either side of the border both forms are right to the tolerance"},
+                 {"< at 0.8 * 1e-8 * w * w",
+                  "either side of the border both forms are right to the tolerance"},
+                 {"< at 1.25 * 1e-8 * w * w",
+                  "either side of the border both forms are right to the tolerance"},
+                 {"< to <=, 2",
+                  "either side of the border both forms are right to the tolerance"},
+                 {"< to <=", "half a turn: both ways are as short, and no question is there"},
+                 {"an int for sign", "it is 1 or -1"}},
         };
     }
 #endif

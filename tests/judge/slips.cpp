@@ -1,0 +1,125 @@
+#include "slips.hpp"
+#include <algorithm>
+#include "desk.hpp"
+#include "gates.hpp"
+#include "text.hpp"
+#include "tokens.hpp"
+
+namespace nutshell::judge {
+
+namespace {
+
+/// A learner's headers, and one body among them.
+struct Own {
+    std::vector<Marked> sources;
+    const Body* body = nullptr;
+    std::string first_line;
+
+    Own(const Rooms& rooms, const Chapter& chapter, Number number) {
+        for (const auto& header : chapter.headers)
+            sources.push_back(marked(own_text(rooms, chapter, header).value_or(header.reference.text())));
+        for (const Marked& source : sources)
+            if (const Body* found = source.body(number)) {
+                body = found;
+                first_line = signature(source, number);
+            }
+    }
+};
+
+/// Those of the bodies that pass.
+std::vector<Mutant> passing(const Rooms& rooms, const Chapter& chapter, const Own& own, Number number,
+                            const std::vector<Mutant>& mutants) {
+    if (mutants.empty()) return {};
+    Herd herd{{{number, mutants}}};
+    const exercises::Record reference = record_of(exercise_of(number).reference);
+    std::vector<Mutant> right;
+    herd.ask(rooms, chapter, own.sources, "slips", [&](Number, std::size_t i, const SheetAnswer& answer) {
+        if (passes(reference, answer)) right.push_back(mutants[i]);
+    });
+    return right;
+}
+
+/// Mutants in which the expression behind `auto name =` is evaluated at once.
+std::vector<Mutant> evaluated_autos(const std::string& body) {
+    std::vector<Mutant> all;
+    const auto tokens = tokens_of(body);
+    for (std::size_t i = 0; i + 2 < tokens.size(); ++i) {
+        if (tokens[i].word != "auto" || tokens[i + 2].word != "=") continue;
+        std::size_t end = i + 3;
+        while (end < tokens.size() && tokens[end].word != ";" && tokens[end].word != ",") {
+            const bool open = tokens[end].word == "(" || tokens[end].word == "[" || tokens[end].word == "{";
+            end = (open ? closing(tokens, end) : end) + 1;
+        }
+        if (end >= tokens.size()) continue;
+        const std::size_t from = tokens[i + 3].at, to = tokens[end].at;
+        all.push_back(
+            {std::string(tokens[i + 1].word),
+             body.substr(0, from) + "(" + body.substr(from, to - from) + ").eval()" + body.substr(to),
+             tokens[i].at});
+    }
+    return all;
+}
+
+/// What is wrong in the line, by the change that mends it.
+std::string what_of(const std::string& change) {
+    const auto is = [&](const char* start) { return starts_with(change, start); };
+    if (is("no statement")) return "it is one statement too many, as far as the numbers tell";
+    if (is("statements ")) return "it stands in the wrong place among the statements";
+    if (is("a factor too many")) return "a factor in it, or something it is divided by, is too many";
+    if (is("a half lost")) return "a dt in it is not the time that belongs there";
+    if (is("brackets missing")) return "brackets are missing: * and / go before + and -";
+    if (is("abs")) return "an abs() in it takes a sign away that is needed";
+    if (is("no normalized") || is("no conjugate") || is("no inverse"))
+        return "`." + change.substr(3, change.find(',') - 3) + "()` is too much in it";
+    if (is("- to /") || is("/ to -")) return "the two parts of it are not joined in the right way";
+    if (is("no minus") || is("+ to -") || is("- to +") || is("+= to") || is("-= to") || is("*= to") ||
+        is("/= to"))
+        return "a sign in it is the wrong one";
+    if (is("* to /") || is("/ to *"))
+        return "something is multiplied that should be divided, or the other way round";
+    if (is("<") || is(">") || is("==") || is("!=") || is("&&") || is("||") || is("no !"))
+        return "a comparison in it is not quite the right one";
+    if (contains(change, "+ 1") || contains(change, " to 0") || contains(change, "0.999") ||
+        contains(change, "point"))
+        return "a number in it is the wrong one";
+    const std::string from = change.substr(0, change.find(" to "));
+    return "`" + from + "` is not what belongs there";
+}
+
+}  // namespace
+
+std::optional<Clue> dangling_auto(const Rooms& rooms, const Chapter& chapter, Number number) {
+    const Own own(rooms, chapter, number);
+    if (!own.body) return std::nullopt;
+    auto mutants = evaluated_autos(own.body->text);
+    if (mutants.size() > 1) {  // and all at once
+        Mutant all = mutants.back();
+        for (std::size_t i = mutants.size() - 1; i-- > 0;) all.body = evaluated_autos(all.body)[i].body;
+        mutants.push_back({"all", all.body, 0});
+    }
+    for (const Mutant& right : passing(rooms, chapter, own, number, mutants))
+        return {
+            {"an expression kept by auto",
+             "The formula is right. But `auto " + right.name +
+                 "` keeps the expression, not its value: what it was made of is gone, or has changed, when "
+                 "the value is needed. Write the type: Vector3 " +
+                 right.name + "."}};
+    return std::nullopt;
+}
+
+std::optional<std::string> one_slip_away(const Rooms& rooms, const Chapter& chapter, Number number) {
+    const Own own(rooms, chapter, number);
+    if (!own.body) return std::nullopt;
+    auto all = slips_of(own.body->text, own.first_line);
+    for (auto& more : more_slips_of(own.body->text, own.first_line)) all.push_back(std::move(more));
+    for (const Mutant& right : passing(rooms, chapter, own, number, all)) {
+        const auto lines = lines_of(own.body->text);
+        const auto before = std::count(own.body->text.begin(),
+                                       own.body->text.begin() + static_cast<std::ptrdiff_t>(right.at), '\n');
+        const std::string line = trimmed(lines[static_cast<std::size_t>(before)]);
+        return "It is one slip away from right, in the line  " + line + "  : " + what_of(right.name) + ".";
+    }
+    return std::nullopt;
+}
+
+}  // namespace nutshell::judge
