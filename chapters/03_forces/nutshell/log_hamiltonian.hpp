@@ -11,12 +11,13 @@ struct TimedPlanet {
     double time = 0;  ///< [s]
 };
 
-/// The leapfrog of the logarithmic Hamiltonian. Its step is not a time but a piece ds of a clock
-/// of its own: a drift lasts ds/(v^2/2 + B), a kick r ds/GM, so both are short near the sun and
-/// long far from it. B = GM/r - v^2/2 is the binding energy per mass of the start. Every step ends
-/// on the exact ellipse, to round-off; only the time at which it gets there is wrong, by O(ds^2).
-/// A step advances the eccentric anomaly by 2 atan(ds/2) if GM = a = 1, not by ds: count orbits by
-/// the place reached. For Kepler's force only; symmetric, so `Composed` raises its order.
+/// The leapfrog of the logarithmic Hamiltonian. Its step is not a time but a piece ds of a
+/// clock of its own: a drift lasts ds/(v^2/2 + B), a kick r ds/GM, so both are short near the
+/// sun and long far from it. B = GM/r - v^2/2 is the binding energy per mass of the start.
+/// Every step ends on the exact ellipse, to round-off; only the time at which it gets there is
+/// wrong, by O(ds^2). A step advances the eccentric anomaly by 2 atan(ds/2) if GM = a = 1, not
+/// by ds: count orbits by the place reached. For Kepler's force only; symmetric, so `Composed`
+/// raises its order.
 /// Source: S. Mikkola and K. Tanikawa, Celest. Mech. Dyn. Astron. 74 (1999) 287; M. Preto and
 /// S. Tremaine, Astron. J. 118 (1999) 2532.
 struct LogHamiltonian {

@@ -1,4 +1,5 @@
-// Chapter 3 · General-purpose methods: they know nothing of drift and kick, only y' = f(t, y). y is a flat Eigen vector, of fixed size where the size is known: then nothing is
+// Chapter 3 · General-purpose methods: they know nothing of drift and kick, only y' =
+// f(t, y). y is a flat Eigen vector, of fixed size where the size is known: then nothing is
 // allocated. `inline` because g++ at -O2 otherwise hands the few numbers over through memory,
 // at half the speed.
 #pragma once
@@ -92,8 +93,8 @@ struct Tolerance {
     double relative = 1e-6;
 };
 
-/// Runs y' = f(t, y) from t0 to t1 with Dormand-Prince 5(4), choosing every step by its own error,
-/// and calls observe(y, t) after each accepted one. The last step is cut to end at t1.
+/// Runs y' = f(t, y) from t0 to t1 with Dormand-Prince 5(4), choosing every step by its own
+/// error, and calls observe(y, t) after each accepted one. The last step is cut to end at t1.
 /// @param first_step  a guess [s], corrected by itself
 /// @throws std::invalid_argument for a tolerance or step that is not greater than zero, or an
 /// end before the start; std::runtime_error if the step shrinks to nothing, as it does where
