@@ -1,4 +1,5 @@
-// A chart from data to SVG: checks at the door, its two layouts, and what a reader who does not see it is told.
+// A chart from data to SVG: checks at the door, its two layouts, and what a reader who does not see it is
+// told.
 #include <nutshell/write_file.hpp>
 
 #include <algorithm>

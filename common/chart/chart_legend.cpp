@@ -1,4 +1,5 @@
-// What each look means, for the page that explains them: groups in columns, each entry drawn as charts draw it.
+// What each look means, for the page that explains them: groups in columns, each entry drawn as charts draw
+// it.
 #include <nutshell/write_file.hpp>
 
 #include <algorithm>

@@ -20,8 +20,8 @@ struct Box {
 
 using Line = std::vector<Point>;
 
-/// Width of the narrow layout, in units: on a screen of 360 px a unit is 0.85 px there. What is no wider than this is
-/// laid out for a phone: names in a key below the plot, or above their bars.
+/// Width of the narrow layout, in units: on a screen of 360 px a unit is 0.85 px there. What is no wider than
+/// this is laid out for a phone: names in a key below the plot, or above their bars.
 inline constexpr int narrow_width = 380;
 inline bool is_narrow(const Chart& chart) {
     return chart.width <= narrow_width;

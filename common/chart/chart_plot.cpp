@@ -1,5 +1,5 @@
-// Where the things of a chart go that has no bars: margins as wide as what stands in them, names beside their curves
-// or, in a narrow layout without room for that, in a key below.
+// Where the things of a chart go that has no bars: margins as wide as what stands in them, names beside their
+// curves or, in a narrow layout without room for that, in a key below.
 #include <algorithm>
 #include <cmath>
 

@@ -1,4 +1,5 @@
-// What a need costs: methods in rows, ranked, a dot for each cost, its value and its ratio to the least beside it.
+// What a need costs: methods in rows, ranked, a dot for each cost, its value and its ratio to the least
+// beside it.
 #include <nutshell/write_file.hpp>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// What the page calls. One instance holds one figure. What it gives back are bytes in this module's memory, or calls
-// of the imports.
+// What the page calls. One instance holds one figure. What it gives back are bytes in this module's memory,
+// or calls of the imports.
 #include <cmath>
 #include <cstdio>
 
@@ -195,8 +195,8 @@ void EXPORT(go)(double time) {
     page->owed = 0, page->between = false;
 }
 
-/// Lets `seconds` of the reader's time pass. Steps that do not fit into 25 ms are dropped: it slows down instead of
-/// freezing.
+/// Lets `seconds` of the reader's time pass. Steps that do not fit into 25 ms are dropped: it slows down
+/// instead of freezing.
 void EXPORT(advance)(double seconds) {
     Figure& figure = *page->figure;
     const double begun = page_now();
@@ -245,8 +245,8 @@ void EXPORT(release)() {
     page->figure->release();
 }
 
-/// Paints on the context's own frame. @param width, height as shown [CSS pixels]  @param drawn_width  the picture's
-/// own, less than `width` where drawing is slow  @param samples of one pixel along each side
+/// Paints on the context's own frame. @param width, height as shown [CSS pixels]  @param drawn_width  the
+/// picture's own, less than `width` where drawing is slow  @param samples of one pixel along each side
 void EXPORT(draw)(int width, int height, int drawn_width, int samples, int dark, int with_words) {
     page->size = {width, height};
     const double part = page->between ? page->owed / page->figure->step_size() : 1;  // of the last step

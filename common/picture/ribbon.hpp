@@ -18,7 +18,8 @@ struct RibbonPoint {
     double opacity;
 };
 
-/// A line's points with their opacities as clip coordinates, cut where it comes nearer to the eye than `nearest`.
+/// A line's points with their opacities as clip coordinates, cut where it comes nearer to the eye than
+/// `nearest`.
 std::vector<std::vector<RibbonPoint>> cut_runs(const std::vector<std::pair<Eigen::Vector3d, double>>& points,
                                                const Eigen::Matrix4d& to_clip, double nearest);
 

@@ -32,7 +32,8 @@ std::string percent(double share) {
     return text;
 }
 
-/// The words of a shot as text, laid out for a picture of this width; letters grow with it, in its own unit cqw.
+/// The words of a shot as text, laid out for a picture of this width; letters grow with it, in its own unit
+/// cqw.
 std::string words_for(const Shot& shot, int width, const char* name) {
     const Size size{width, int(std::lround(double(width) * shot.size.height / shot.size.width))};
     std::string out = "<span class=\"words " + std::string(name) + "\">";

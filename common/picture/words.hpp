@@ -1,5 +1,5 @@
-// Words on pictures: where they stand, and their letters. A page shows them as text over the picture; a picture
-// that stands alone has them drawn in.
+// Words on pictures: where they stand, and their letters. A page shows them as text over the picture; a
+// picture that stands alone has them drawn in.
 #pragma once
 #include <string>
 #include <vector>

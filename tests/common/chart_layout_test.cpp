@@ -1,4 +1,5 @@
-// Two layouts in one picture: a wide one and a phone's. In both nothing is cut off, nothing overlaps, all is named.
+// Two layouts in one picture: a wide one and a phone's. In both nothing is cut off, nothing overlaps, all is
+// named.
 #include "chart_gallery.hpp"
 #include "check.hpp"
 

@@ -22,7 +22,8 @@ Diagram spring_and_mass() {
     return d;
 }
 
-/// What chapters 6 and 7 need: a box on its corner, its own axes, a contact with its normal, lever and torque.
+/// What chapters 6 and 7 need: a box on its corner, its own axes, a contact with its normal, lever and
+/// torque.
 Diagram contact_and_lever() {
     Diagram d;
     d.title = "A contact and its lever";

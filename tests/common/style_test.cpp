@@ -49,8 +49,8 @@ double contrast(const std::string& a, const std::string& b) {
 
 using Matrix = std::array<Light, 3>;
 constexpr Matrix everyone{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
-// What is left of a colour for eyes without red, green or blue receptors (Machado, Oliveira and Fernandes 2009,
-// severity 1).
+// What is left of a colour for eyes without red, green or blue receptors (Machado, Oliveira and Fernandes
+// 2009, severity 1).
 constexpr Matrix without_red{
     {{0.152286, 1.052583, -0.204868}, {0.114503, 0.786281, 0.099216}, {-0.003882, -0.048116, 1.051998}}};
 constexpr Matrix without_green{

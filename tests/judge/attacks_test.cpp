@@ -1,4 +1,5 @@
-// Answers that mean to pass without being right, or to silence the judge: none does, for a grader or a learner.
+// Answers that mean to pass without being right, or to silence the judge: none does, for a grader or a
+// learner.
 #include <unistd.h>
 #include "../check.hpp"
 #include "learner.hpp"

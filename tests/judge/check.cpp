@@ -76,7 +76,8 @@ class Check {
         return called;
     }
 
-    /// The first line of code outside the exercises that the learner's file has no longer; empty if all are there.
+    /// The first line of code outside the exercises that the learner's file has no longer; empty if all are
+    /// there.
     std::string changed_line(Number number) const {
         const Marked& reference = chapter_.header_of(number).reference;
         const std::string own = bare_code(*file_of(number).text);
@@ -154,8 +155,9 @@ class Check {
         }
     }
 
-    /// Headers that go before the learner's: without what does not compile; for a grader the course's own with
-    /// the learner's bodies in them, and nothing else of theirs. @return their folder, empty if none are needed
+    /// Headers that go before the learner's: without what does not compile; for a grader the course's own
+    /// with the learner's bodies in them, and nothing else of theirs. @return their folder, empty if none are
+    /// needed
     fs::path overlay() const {
         if (!for_a_grader_ && broken_.empty()) return {};
         const fs::path folder = rooms_.work / (for_a_grader_ ? "graded" : "overlay");
@@ -184,7 +186,8 @@ class Check {
         return folder;
     }
 
-    /// Whether a sheet read the course's own header although the learner has one: by include_next or the like.
+    /// Whether a sheet read the course's own header although the learner has one: by include_next or the
+    /// like.
     bool reads_the_reference(const Sheet& sheet, Number number) const {
         const auto& header = chapter_.header_of(number);
         const fs::path reference = rooms_.course / "chapters" / chapter_.folder / header.path;

@@ -26,7 +26,8 @@ std::vector<Verdict> check(const Rooms& rooms, const Chapter& chapter, const std
 /// ./course check [N[.M]] [--junit FILE]: prints, remembers what passed. @return the exit code, 0 if all
 /// passed
 int verb_check(const Rooms& rooms, const std::string& which, const std::string& junit);
-/// ./course watch [N[.M]]: checks whenever a file of answers/ is saved. Keys: h a hint, n the next exercise, q ends.
+/// ./course watch [N[.M]]: checks whenever a file of answers/ is saved. Keys: h a hint, n the next exercise,
+/// q ends.
 int verb_watch(const Rooms& rooms, std::string which);
 /// ./course debug N.M: the answer under gdb, at the input that fails. @throws MachineFault if there is no gdb
 int verb_debug(const Rooms& rooms, Number number);
@@ -39,13 +40,14 @@ std::string state_of(const std::filesystem::path& folder);
 
 /// The chapter that `run --mine` or `live --mine` names. @throws std::invalid_argument for anything else
 Chapter chapter_of(const Rooms& rooms, const std::string& verb, const std::string& which);
-/// Tries the answers under the judge's limits, then puts the learner's headers, the reference's bodies where there is no
-/// answer, where the chapter finds them first. The caller holds the lock of CONFIG_MINE.
+/// Tries the answers under the judge's limits, then puts the learner's headers, the reference's bodies where
+/// there is no answer, where the chapter finds them first. The caller holds the lock of CONFIG_MINE.
 /// @throws std::runtime_error with the sentence if an answer does not compile, crash or end
 void stock_mine(const Rooms& rooms, const Chapter& chapter);
 /// Builds a target on them. @throws std::runtime_error with the compiler's words about the learner's line
 void build_mine(const Rooms& rooms, const Chapter& chapter, const std::string& target);
-/// ./course live N --mine: a copy of the book in `out`, its moving figures on the learner's answers, made again on every save.
+/// ./course live N --mine: a copy of the book in `out`, its moving figures on the learner's answers, made
+/// again on every save.
 /// @param once  for tests: once, without waiting for a save
 int verb_live(const Rooms& rooms, const std::string& which, const std::filesystem::path& book,
               const std::filesystem::path& out, bool once);

@@ -18,7 +18,8 @@ struct Mutant {
 /// left out, a fraction cut off.
 std::vector<Mutant> slips_of(std::string_view body, std::string_view signature);
 
-/// More of them, such as a learner's body may have and the reference's mutants cannot: something lost or added.
+/// More of them, such as a learner's body may have and the reference's mutants cannot: something lost or
+/// added.
 std::vector<Mutant> more_slips_of(std::string_view body, std::string_view signature);
 
 /// Half-right answers: an argument or a member that is read once and for all, a component that is lost or

@@ -1,5 +1,5 @@
-// native: every state of every figure of one chapter, after 1000 steps: one line of JSON each, for the page to be compared
-// with. Linked with the chapter's figures.
+// native: every state of every figure of one chapter, after 1000 steps: one line of JSON each, for the page
+// to be compared with. Linked with the chapter's figures.
 #include <cstdio>
 #include <nutshell/live/figure.hpp>
 
@@ -17,8 +17,8 @@ int main() {
                 setting.choice = choice;
                 figure->begin(setting);
                 for (int n = 0; n < 1000 && figure->ended().empty(); ++n) figure->step();
-                std::printf("{\"figure\":\"%s\",\"state\":\"%s\",\"choice\":%d,\"values\":[", entry->name, state.key.c_str(),
-                            choice);
+                std::printf("{\"figure\":\"%s\",\"state\":\"%s\",\"choice\":%d,\"values\":[", entry->name,
+                            state.key.c_str(), choice);
                 list(setting.values);
                 std::printf("],\"numbers\":[");
                 list(figure->state());

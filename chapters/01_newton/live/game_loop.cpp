@@ -1,4 +1,5 @@
-// The throw in two game loops on five machines, one of them as slow and one with as long a hitch as the sliders say.
+// The throw in two game loops on five machines, one of them as slow and one with as long a hitch
+// as the sliders say.
 #include <array>
 #include <nutshell/live/figure.hpp>
 #include "../frames.hpp"

@@ -1,5 +1,5 @@
-// The throw of chapter 1 at three frame rates at once: as many steps a second as the slider says, twice and four
-// times as many. Half the step, half the error.
+// The throw of chapter 1 at three frame rates at once: as many steps a second as the slider says,
+// twice and four times as many. Half the step, half the error.
 #include <array>
 #include <nutshell/live/run.hpp>
 #include <nutshell/newton_methods.hpp>

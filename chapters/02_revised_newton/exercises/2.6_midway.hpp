@@ -64,7 +64,8 @@ struct Midway {
                   }},
                  {"the mean mass over the mass before", "classic: a fraction",
                   "A rocket of few parcels is too fast.",
-                  "You have w times the mean mass over the mass before, or w + w dm/(2 m), which is "
+                  "You have w times the mean mass over the mass before, or w + w dm/(2 m), which "
+                  "is "
                   "the same. Below the line stands the mean mass, above it the mass after.",
                   [](double mass, double dm, const Vector3& w) -> Vector3 {
                       return w * ((mass + dm / 2) / mass);

@@ -1,4 +1,5 @@
-// The leaky cart of chapter 2, computed twice: as if its momentum were kept while its mass falls, and with honest books.
+// The leaky cart of chapter 2, computed twice: as if its momentum were kept while its mass falls,
+// and with honest books.
 #include <nutshell/live/run.hpp>
 #include <nutshell/newton_methods.hpp>
 #include <nutshell/revised_newton_scenes.hpp>

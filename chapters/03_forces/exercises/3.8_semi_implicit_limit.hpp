@@ -95,21 +95,19 @@ struct SemiImplicitLimit {
                   [](double omega, double g) -> double {
                       return 4 / (g + std::sqrt(g * g + omega * omega));
                   }}},
-            .alternatives =
-                {{"by bisection",
-                  [](double omega, double g) -> double {
-                      double
-                          low = 0,
-                          high =
-                              4 /
-                              (omega +
-                               g);  // trace and determinant of one step: stable while omega^2 dt^2 + 2 g dt < 4
-                      for (int turn = 0; turn < 200; ++turn) {
-                          const double dt = (low + high) / 2;
-                          (omega * omega * dt * dt + 2 * g * dt < 4 ? low : high) = dt;
-                      }
-                      return low;
-                  }}},
+            .alternatives = {{"by bisection",
+                              [](double omega, double g) -> double {
+                                  double low = 0,
+                                         high = 4 / (omega +
+                                                     g);  // trace and determinant of one step:
+                                      // stable while omega^2 dt^2 + 2 g dt < 4
+                                  for (int turn = 0; turn < 200; ++turn) {
+                                      const double dt = (low + high) / 2;
+                                      (omega * omega * dt * dt + 2 * g * dt < 4 ? low : high) =
+                                          dt;
+                                  }
+                                  return low;
+                              }}},
         };
     }
 #endif

@@ -1,6 +1,6 @@
 #include <cmath>
-#include <nutshell/wide_floor.hpp>
 #include <nutshell/clones.hpp>
+#include <nutshell/wide_floor.hpp>
 
 namespace nutshell::wide {
 

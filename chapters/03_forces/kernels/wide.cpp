@@ -2,8 +2,8 @@
 // compiler may do as many turns at once as the processor has room for. Square roots, divisions,
 // sums and products are the same bits in any width.
 #include <cmath>
-#include <nutshell/wide.hpp>
 #include <nutshell/clones.hpp>
+#include <nutshell/wide.hpp>
 
 namespace nutshell::wide {
 

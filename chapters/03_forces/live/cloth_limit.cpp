@@ -1,5 +1,5 @@
-// The cloth of chapter 3, hung up by two corners and at rest: past its limit it breaks in its fastest mode. The pointer
-// pulls it.
+// The cloth of chapter 3, hung up by two corners and at rest: past its limit it breaks in its
+// fastest mode. The pointer pulls it.
 #include "net.hpp"
 
 namespace nutshell {

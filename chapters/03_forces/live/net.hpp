@@ -1,5 +1,5 @@
-// What a chain and a cloth have in common when they move in a page: a step up to their limit and past it, and a hand
-// that pulls.
+// What a chain and a cloth have in common when they move in a page: a step up to their limit and
+// past it, and a hand that pulls.
 #pragma once
 #include <nutshell/forces_methods.hpp>
 #include <nutshell/live/run.hpp>
@@ -89,7 +89,8 @@ class LiveNet : public live::Figure {
     void release() override { held_.reset(); }
 
   protected:
-    /// @param omega of the fastest mode [rad/s]    @param gone_at  this far from its place it has flown apart [m]
+    /// @param omega of the fastest mode [rad/s]    @param gone_at  this far from its place it has
+    /// flown apart [m]
     /// @param reach of the hand [m]    @param lift  of what is drawn [m]
     LiveNet(SpringNet net, double omega, double gone_at, double reach, const Vector3& lift)
         : net_(std::move(net)), lift_(lift), omega_(omega), gone_at_(gone_at), reach_(reach) {}
@@ -104,7 +105,8 @@ class LiveNet : public live::Figure {
                                                         : 0;
         return theta / omega_;
     }
-    /// The farthest that any particle is from where it began [m]; a number that is lost counts as farther.
+    /// The farthest that any particle is from where it began [m]; a number that is lost counts as
+    /// farther.
     double strays() const {
         double most = 0;
         for (std::size_t i = 0; i < now().size(); ++i) {

@@ -1,4 +1,5 @@
-// One spring by every kind of method at one theta = omega dt: chapter 3's sorting of the methods, in one look.
+// One spring by every kind of method at one theta = omega dt: chapter 3's sorting of the methods,
+// in one look.
 #include <nutshell/forces_methods.hpp>
 #include <nutshell/forces_scenes.hpp>
 #include <nutshell/live/run.hpp>

@@ -1,8 +1,9 @@
 // A method as one value: everything the course says of it comes from here, and its name is written once.
 //
 // A chapter's *_methods.hpp holds its values, in namespace nutshell::methods, beside the plain functions that
-// the learner reads. A run begins with `auto step = method.start(scene)` and goes on with `state = step(state,
-// scene, t, dt)`: what is kept from step to step (the last push, arrays for forces) belongs to that stepper.
+// the learner reads. A run begins with `auto step = method.start(scene)` and goes on with `state =
+// step(state, scene, t, dt)`: what is kept from step to step (the last push, arrays for forces) belongs to
+// that stepper.
 #pragma once
 #include <cctype>
 #include <nutshell/look.hpp>

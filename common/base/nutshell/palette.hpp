@@ -1,6 +1,7 @@
 // The one palette of charts, diagrams and pictures: each colour once for light paper and once for dark.
-// Okabe and Ito's hues, shifted in lightness until each has a contrast of 4.5 with its paper, so that names can be
-// written in them, and all families stay apart for readers who do not see red, green or blue (a test measures both).
+// Okabe and Ito's hues, shifted in lightness until each has a contrast of 4.5 with its paper, so that names
+// can be written in them, and all families stay apart for readers who do not see red, green or blue (a test
+// measures both).
 #pragma once
 #include <nutshell/look.hpp>
 
@@ -27,8 +28,8 @@ inline constexpr Shades velocity = blue, momentum = gold;
 inline constexpr Shades angular_velocity = purple, angular_momentum = green;
 }  // namespace palette
 
-/// The colour of a family of methods. `plain` has the text's; charts that show several plain things have steps of
-/// their own for them.
+/// The colour of a family of methods. `plain` has the text's; charts that show several plain things have
+/// steps of their own for them.
 constexpr Shades shades_of(Family family) {
     switch (family) {
         case Family::explicit_one_step:

@@ -1,5 +1,5 @@
-// Charts: fill in a Chart, get one self-contained SVG: no script, light and dark, wide and narrow (a phone's), same
-// bytes every run.
+// Charts: fill in a Chart, get one self-contained SVG: no script, light and dark, wide and narrow (a
+// phone's), same bytes every run.
 //
 //     Chart chart;
 //     chart.title = "Which method gives the most accuracy for the work?";
@@ -115,8 +115,8 @@ struct Chart {
     std::string description = {};  ///< for readers who do not see it; empty = made from the data
 };
 
-/// Several charts as one picture: side by side on a wide screen, one below the other on a phone. A panel's title is
-/// its small heading; it may be empty.
+/// Several charts as one picture: side by side on a wide screen, one below the other on a phone. A panel's
+/// title is its small heading; it may be empty.
 struct Figure {
     std::string title = {}, subtitle = {};
     std::vector<Chart> panels = {};
@@ -125,8 +125,8 @@ struct Figure {
     std::string name = {}, description = {};  ///< as of a Chart
 };
 
-/// What a need costs: methods ranked by the first column, a dot for each and column on a logarithmic axis, the value
-/// and its ratio to the least beside it. Who does not get there says so in words, last.
+/// What a need costs: methods ranked by the first column, a dot for each and column on a logarithmic axis,
+/// the value and its ratio to the least beside it. Who does not get there says so in words, last.
 struct Ranking {
     struct Row {
         std::string name = {};
@@ -164,8 +164,9 @@ struct Legend {
 std::optional<Ring> cheapest(const Chart& chart);
 
 /// The picture as text: one SVG that holds two layouts and shows the one that suits the room it has.
-/// @throws std::invalid_argument that names the chart, what is wrong and what to do: nothing to draw, lists of
-/// different lengths, a range that is not finite or not positive on a logarithmic axis, a grid of the wrong size
+/// @throws std::invalid_argument that names the chart, what is wrong and what to do: nothing to draw, lists
+/// of different lengths, a range that is not finite or not positive on a logarithmic axis, a grid of the
+/// wrong size
 std::string svg(const Chart& chart);
 std::string svg(const Figure& figure);
 std::string svg(const Ranking& ranking);

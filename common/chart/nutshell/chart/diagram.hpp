@@ -1,5 +1,5 @@
-// Diagrams: bodies, springs, ropes and arrows as a physics book draws them, at the places and with the lengths that a
-// program computed. One self-contained SVG like a chart: light and dark, wide and a phone's.
+// Diagrams: bodies, springs, ropes and arrows as a physics book draws them, at the places and with the
+// lengths that a program computed. One self-contained SVG like a chart: light and dark, wide and a phone's.
 //
 //     Diagram d;
 //     d.title = "Two forces on a mass on a spring";
@@ -10,8 +10,8 @@
 //     d.dimension({0, -0.4}, {1.5, -0.4}, "l = 1.5 m");
 //     write_svg(d, "out/03_forces/spring_forces.svg");
 //
-// Coordinates are the caller's, x to the right and y upwards, the same unit in both. The length of an arrow is the
-// caller's too: a force is drawn at so many metres a newton, and the subtitle says how many.
+// Coordinates are the caller's, x to the right and y upwards, the same unit in both. The length of an arrow
+// is the caller's too: a force is drawn at so many metres a newton, and the subtitle says how many.
 #pragma once
 #include <filesystem>
 #include <nutshell/palette.hpp>
@@ -74,7 +74,8 @@ struct Diagram {
     /// Turned by `angle` [rad], anticlockwise.
     Diagram& box(Place centre, double width, double height, double angle = 0, std::string label = {});
     Diagram& polygon(std::vector<Place> corners);
-    /// The last body, or the last rope, once more as a ghost: where it was, or should be. Call before the next one.
+    /// The last body, or the last rope, once more as a ghost: where it was, or should be. Call before the
+    /// next one.
     Diagram& as_ghost();
     Diagram& centre(Place at);  ///< of mass
     /// Two arrows from `origin`, the first at `angle` [rad]: a frame of reference, or a body's own axes.
@@ -89,7 +90,8 @@ struct Diagram {
     Diagram& dashed(std::vector<Place> points);  ///< a line that is not there: a lever arm, a plane
     Diagram& wall(Place from, Place to);         ///< fixed: hatched on its right, seen from `from` to `to`
     Diagram& arrow(Place from, Place along, Quantity quantity, std::string label = {});
-    /// An arrow bent round `centre`, from one angle to another [rad], anticlockwise where `to` is greater: torque, ω.
+    /// An arrow bent round `centre`, from one angle to another [rad], anticlockwise where `to` is greater:
+    /// torque, ω.
     Diagram& arc(Place centre, double radius, double from, double to, Quantity quantity,
                  std::string label = {});
     /// An angle between two directions [rad], without a head.
@@ -108,11 +110,12 @@ struct Diagrams {
     std::string name = {}, description = {};
 };
 
-/// The picture as text. @throws std::invalid_argument without a title, without anything to draw, or if a place is not
-/// finite
+/// The picture as text. @throws std::invalid_argument without a title, without anything to draw, or if a
+/// place is not finite
 std::string svg(const Diagram& diagram);
 std::string svg(const Diagrams& diagrams);
-/// Writes the picture, whole or not at all. @throws like `svg`, and std::runtime_error if the file cannot be written
+/// Writes the picture, whole or not at all. @throws like `svg`, and std::runtime_error if the file cannot be
+/// written
 void write_svg(const Diagram& diagram, const std::filesystem::path& path);
 void write_svg(const Diagrams& diagrams, const std::filesystem::path& path);
 

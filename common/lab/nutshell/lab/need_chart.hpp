@@ -1,4 +1,5 @@
-// What comes out of a study: what its need costs (the lead chart), behind it the error against the cost, and the numbers.
+// What comes out of a study: what its need costs (the lead chart), behind it the error against the cost, and
+// the numbers.
 #pragma once
 #include <nutshell/chart/chart.hpp>
 #include <nutshell/lab/output.hpp>
@@ -25,8 +26,9 @@ chart::Figure work_figure(const std::vector<Curve>& curves, const std::vector<Le
 /// Prints what the need takes, and keeps it: KEY.need, and KEY.METHOD.steps, .step, .evaluations.
 void report_least(Report& report, const std::string& key, const std::vector<Least>& all, const Need& need);
 
-/// What a study says in words: `scene` for the subtitles ("Planet, three orbits."), `behind` as the title of the error
-/// against the cost, the slopes of its guides, and a title of its own for the lead chart where the finding will not do.
+/// What a study says in words: `scene` for the subtitles ("Planet, three orbits."), `behind` as the title of
+/// the error against the cost, the slopes of its guides, and a title of its own for the lead chart where the
+/// finding will not do.
 struct StudyWords {
     std::string key, scene, behind;
     std::vector<double> guides;

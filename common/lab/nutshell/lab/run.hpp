@@ -1,10 +1,10 @@
 // The lab's centre: run a scene with a method, and measure what came out.
 //
 // A scene has start, duration, operator()(state, t) for the push, and error(state, t); see a chapter's
-// scenes. A method is a value that starts a run: `auto step = method.start(scene)`; see <nutshell/method.hpp>.
-// A plain step(state, scene, t, dt) does as well where nobody asks for its name.
-// Both come in as template parameters, so the compiler sees through them and a measured time is the time of
-// the physics, not of the lab.
+// scenes. A method is a value that starts a run: `auto step = method.start(scene)`; see
+// <nutshell/method.hpp>. A plain step(state, scene, t, dt) does as well where nobody asks for its name. Both
+// come in as template parameters, so the compiler sees through them and a measured time is the time of the
+// physics, not of the lab.
 #pragma once
 #include <chrono>
 #include <cmath>

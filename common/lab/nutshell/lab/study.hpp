@@ -57,15 +57,16 @@ std::vector<Curve> work_precision(const Scene& scene, const std::vector<Entry<Sc
     return curves;
 }
 
-/// How a method fared with a need: the run with the fewest steps that meets it, or the one with the most tried.
+/// How a method fared with a need: the run with the fewest steps that meets it, or the one with the most
+/// tried.
 struct Attempt {
     Measurement run;
     bool met;
 };
 
-/// Looks for the fewest steps with which a method keeps the largest error within `tolerance`. Doubles from `fewest`
-/// until it is met or `most` are not enough, then bisects; found exactly where the error falls steadily with the
-/// step.
+/// Looks for the fewest steps with which a method keeps the largest error within `tolerance`. Doubles from
+/// `fewest` until it is met or `most` are not enough, then bisects; found exactly where the error falls
+/// steadily with the step.
 template <class Scene>
 Attempt try_to_meet(const Scene& scene, const Entry<Scene>& method, double tolerance, long fewest = 1,
                     long most = 10'000'000) {
@@ -103,8 +104,8 @@ struct Least {
     bool met = true;
 };
 
-/// For every method, the fewest steps that meet the scene's need, timed; in the order of evaluations, and those that
-/// do not meet it last.
+/// For every method, the fewest steps that meet the scene's need, timed; in the order of evaluations, and
+/// those that do not meet it last.
 template <class Scene>
 std::vector<Least> least_of_each(const Scene& scene, const std::vector<Entry<Scene>>& methods,
                                  long fewest = 1, long most = 10'000'000) {

@@ -83,15 +83,16 @@ class Figure {
     virtual std::string ended() const { return {}; }
 
     // --- what is seen
-    /// @param part of the last step that is shown, 0 to 1: 1 is the newest state. What cannot be drawn between
-    /// two steps takes no notice.
+    /// @param part of the last step that is shown, 0 to 1: 1 is the newest state. What cannot be drawn
+    /// between two steps takes no notice.
     virtual pic::Drawing drawing(double part) const = 0;
     virtual pic::Size size() const { return {}; }          ///< of the still; the page keeps its shape
     virtual pic::Camera camera(pic::Size size) const = 0;  ///< before the reader turns it
     virtual std::vector<Number> numbers() const = 0;
     /// Every number of the physics: compared between the program and the page.
     virtual std::vector<double> state() const = 0;
-    /// How far the two may be apart after 1000 steps, relative to the largest number. 0, the same bits, for figures of
+    /// How far the two may be apart after 1000 steps, relative to the largest number. 0, the same bits, for
+    /// figures of
     /// + - * / and sqrt; sin, exp and their like differ between the two C libraries in the last digit.
     virtual double page_tolerance() const { return 0; }
 

@@ -9,8 +9,8 @@ namespace nutshell::live {
 /// The still of some of a figure's states: a shot for each, or a strip of one state's instants.
 pic::Sheet still(Figure& figure, const std::vector<State>& states);
 
-/// Draws NAME.png for every figure of this program (those of its states that are drawn side by side), with a note that
-/// says its states, so that the page can check its links.
+/// Draws NAME.png for every figure of this program (those of its states that are drawn side by side), with a
+/// note that says its states, so that the page can check its links.
 void draw_stills(lab::Report& report);
 
 }  // namespace nutshell::live

@@ -1,5 +1,5 @@
-// Colours of pictures: each once for a light page and once for a dark one. Those of methods and of arrows are the
-// course's one palette, <nutshell/palette.hpp>; those of things stand out from the ground in grey too.
+// Colours of pictures: each once for a light page and once for a dark one. Those of methods and of arrows are
+// the course's one palette, <nutshell/palette.hpp>; those of things stand out from the ground in grey too.
 #pragma once
 #include <nutshell/palette.hpp>
 #include <stdexcept>

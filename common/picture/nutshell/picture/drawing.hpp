@@ -34,8 +34,8 @@ struct Box {
     Eigen::Vector3d half_extents = Eigen::Vector3d::Constant(0.5);  ///< [m]
     Colour colour = palette::gold;
     Look look = Look::solid;
-    /// Its faces are told apart, so that its orientation can be seen: those of x dark, of y light, of z in its
-    /// colour, and a dot on the three that face along +x, +y, +z.
+    /// Its faces are told apart, so that its orientation can be seen: those of x dark, of y light, of z in
+    /// its colour, and a dot on the three that face along +x, +y, +z.
     bool marked = false;
 };
 
@@ -206,7 +206,8 @@ struct Stroboscope {
     bool error_lines = true;  ///< a thin line from each ghost to the ball of the same instant
 };
 
-/// Adds the balls (with contact shadows), the line through them, the ghost with its dashed line, and lines from one to the other.
+/// Adds the balls (with contact shadows), the line through them, the ghost with its dashed line, and lines
+/// from one to the other.
 /// @throws std::invalid_argument as Drawing::add does
 void add(Drawing& drawing, const Stroboscope& stroboscope);
 

@@ -29,8 +29,8 @@ struct Note {
 /// @throws std::runtime_error naming the file if it cannot be written
 void save(const Image& image, const std::filesystem::path& file, const Note& note);
 
-/// Draws and saves a picture of the book: `file` with its words drawn in, to be looked at by itself, its note, and
-/// for the page NAME.page.html with its JPEGs. Where this machine cannot draw, as below.
+/// Draws and saves a picture of the book: `file` with its words drawn in, to be looked at by itself, its
+/// note, and for the page NAME.page.html with its JPEGs. Where this machine cannot draw, as below.
 /// @returns whether the picture was drawn
 /// @throws std::runtime_error naming the file if it cannot be written
 bool save(const std::filesystem::path& file, const Note& note, const std::function<Sheet()>& draw);

@@ -1,5 +1,5 @@
-// A picture of the book: one shot or several beside each other, for light pages and dark ones, with its words as
-// text over it.
+// A picture of the book: one shot or several beside each other, for light pages and dark ones, with its words
+// as text over it.
 #pragma once
 #include <string>
 #include <utility>
