@@ -31,8 +31,9 @@ std::string ratio_text(double ratio) {
 }
 
 /// The value, and how many times the least it is.
-std::string end_text(double value, double least) {
+std::string end_text(double value, double least, bool some_free) {
     if (value == 0) return "none";
+    if (some_free && value <= least * 1.0005) return cost_text(value);
     return value <= least * 1.0005 ? cost_text(value) + ", the least"
                                    : cost_text(value) + " (" + ratio_text(value / least) + ")";
 }
@@ -51,6 +52,7 @@ struct Lane {
     double left, right;
     Ruler ruler;
     double least;
+    bool some_free;  // a cost of nothing is less than the least above zero
 };
 
 std::vector<Lane> lanes_of(const std::vector<Row>& rows, std::size_t columns, double left, double right) {
@@ -59,12 +61,15 @@ std::vector<Lane> lanes_of(const std::vector<Row>& rows, std::size_t columns, do
     std::vector<Lane> lanes;
     for (std::size_t k = 0; k < columns; ++k) {
         double least = INFINITY, most = 0, text = 0;
+        const bool some_free = std::any_of(rows.begin(), rows.end(), [&](const Row& row) {
+            return !row.values.empty() && row.values[k] == 0;
+        });
         for (const Row& row : rows)
             if (!row.values.empty() && row.values[k] > 0)  // a cost of nothing stands at the left end
                 least = std::min(least, row.values[k]), most = std::max(most, row.values[k]);
         for (const Row& row : rows)
             if (!row.values.empty())
-                text = std::max(text, text_width(end_text(row.values[k], least), note_size));
+                text = std::max(text, text_width(end_text(row.values[k], least, some_free), note_size));
         const double start = left + static_cast<double>(k) * (width + lane_gap);
         const double room = std::max(width - text - value_gap - 6, 24.0);  // for the dots
         if (!(most > 0)) least = 1, most = 10;
@@ -72,7 +77,8 @@ std::vector<Lane> lanes_of(const std::vector<Row>& rows, std::size_t columns, do
             {start,
              start + width,
              {Scale::logarithmic, {least / 1.5, std::max(most, 1.5 * least)}, start, start + room},
-             least});
+             least,
+             some_free});
     }
     return lanes;
 }
@@ -126,8 +132,9 @@ Layout arranged(const Ranking& ranking, double width) {
             layout.body +=
                 "<path class='stem' d='" + path({{{lane.left, middle}, at}}) + "'/>\n" +
                 draw_mark(style, at, title) +
-                draw_text(row.values[k] > 0 && row.values[k] <= lane.least * 1.0005 ? "note least" : "note",
-                          at.x + value_gap, middle + 5.5, end_text(row.values[k], lane.least));
+                draw_text(!lane.some_free && row.values[k] <= lane.least * 1.0005 ? "note least" : "note",
+                          at.x + value_gap, middle + 5.5,
+                          end_text(row.values[k], lane.least, lane.some_free));
         }
         if (row.values.empty()) {
             const double from = narrow ? border + 22 : left;

@@ -1,6 +1,7 @@
 #include <nutshell/lab/need_chart.hpp>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <nutshell/lab/work_chart.hpp>
 #include <nutshell/require.hpp>
@@ -26,7 +27,9 @@ std::string thin_spaced(long count) {
 
 }  // namespace
 
-std::string finding(const std::vector<Least>& all) {
+namespace {
+
+std::string who_needs_least(const std::vector<Least>& all) {
     require(!all.empty() && all.front().met, "finding: no method meets the need: there is no least");
     const Least& fewest = all.front();
     if (!timed(all)) return fewest.name + " needs least work";
@@ -35,6 +38,14 @@ std::string finding(const std::vector<Least>& all) {
         if (least.met && least.run.seconds_per_second < fastest->run.seconds_per_second) fastest = &least;
     if (fastest == &fewest) return fewest.name + " needs least work and least time";
     return fewest.name + " asks for the force least, " + fastest->name + " is fastest";
+}
+
+}  // namespace
+
+std::string finding(const std::vector<Least>& all) {
+    std::string words = who_needs_least(all);
+    words[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(words[0])));
+    return words;
 }
 
 chart::Ranking need_chart(const std::vector<Least>& all, const Need& need, const std::string& words,
@@ -88,6 +99,12 @@ chart::Figure work_figure(const std::vector<Curve>& curves, const std::vector<Le
                     least = std::min(least, series.x[i]), most = std::max(most, series.x[i]);
         }
         if (!(most > 0)) continue;  // not timed
+        std::erase_if(panel.series,
+                      [&](const chart::Series& series) {  // with a cost of nothing, or all beyond
+                          for (std::size_t i = 0; i < series.x.size(); ++i)
+                              if (series.x[i] > 0 && series.y[i] <= top) return false;
+                          return true;
+                      });
         panel.x.from = least / 1.5, panel.x.to = most * 1.5;
         figure.panels.push_back(std::move(panel));
     }
