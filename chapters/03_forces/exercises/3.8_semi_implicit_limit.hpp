@@ -97,10 +97,9 @@ struct SemiImplicitLimit {
                   }}},
             .alternatives = {{"by bisection",
                               [](double omega, double g) -> double {
-                                  double low = 0,
-                                         high = 4 / (omega +
-                                                     g);  // trace and determinant of one step:
-                                      // stable while omega^2 dt^2 + 2 g dt < 4
+                                  // trace and determinant of one step: stable while
+                                  // omega^2 dt^2 + 2 g dt < 4
+                                  double low = 0, high = 4 / (omega + g);
                                   for (int turn = 0; turn < 200; ++turn) {
                                       const double dt = (low + high) / 2;
                                       (omega * omega * dt * dt + 2 * g * dt < 4 ? low : high) =
