@@ -141,6 +141,21 @@ TEST_CASE("Sleep: a stack that stands falls asleep, does not move a bit, and wak
     CHECK(stack.drift({{world.bodies.begin(), world.bodies.end() - 1}}) > 0.1);
 }
 
+TEST_CASE("An immovable box is a shelf, even where it touches the floor") {
+    World world;
+    world.walls = {Plane{}};
+    const Box box{{1, 0.5, 1}};
+    Body shelf = immovable_body({0, 0.5, 0});
+    world.add(shelf, box);
+    world.add(solid_ball(1, 0.2, {0.1, 2, 0.1}), Sphere{0.2});
+    world.add(solid_box(1, Box{{0.2, 0.2, 0.2}}, {-0.5, 1.5, 0}), Box{{0.2, 0.2, 0.2}});
+    Engine engine;
+    for (int i = 0; i < 240; ++i) engine.step(world, dt);
+    CHECK(world.bodies[0].position == shelf.position);
+    CHECK(world.bodies[1].position.y() == near(1.2, 1e-3));
+    CHECK(world.bodies[2].position.y() == near(1.2, 1e-3));
+}
+
 TEST_CASE("A world that has blown up is named") {
     Pile pile;
     pile.wide = 2;

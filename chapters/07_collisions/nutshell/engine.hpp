@@ -183,12 +183,11 @@ class Engine {
         return 0;
     }
     void keep(World& world, int a, int b) {
-        if (on.sleep && !found_.empty()) {
-            const auto i = static_cast<std::size_t>(a), j = static_cast<std::size_t>(b);
-            if (a >= 0 && world.bodies[i].mass < immovable && world.bodies[j].mass < immovable)
-                sleep_.join(i, j);
-            if (asleep(j) && (a < 0 || !moves(world, i))) return;  // nothing to do
-        }
+        const auto i = static_cast<std::size_t>(a), j = static_cast<std::size_t>(b);
+        const bool both =
+            a >= 0 && world.bodies[i].mass < immovable && world.bodies[j].mass < immovable;
+        if (on.sleep && both && !found_.empty()) sleep_.join(i, j);
+        if (!moves(world, j) && (a < 0 || !moves(world, i))) return;  // neither can answer
         for (const Contact& found : found_) {
             PressedContact& c = contacts_.emplace_back();
             c.a = a, c.b = b;
