@@ -67,7 +67,8 @@ Printed print(const Sheet& sheet, const std::string& stem) {
               columns = sheet.columns > 0 ? std::min(sheet.columns, count) : count;
     std::vector<Image> lit;
     Printed out;
-    out.page = "<span class=\"sheet\" style=\"--columns:" + std::to_string(columns) + "\">\n";
+    out.page = std::string("<span class=\"sheet") + (columns > 3 ? " strip" : "") +
+               "\" style=\"--columns:" + std::to_string(columns) + "\">\n";
     for (int i = 0; i < count; ++i) {
         const Shot& shot = sheet.shots[std::size_t(i)];
         const std::string name = stem + "." + std::to_string(i + 1);

@@ -137,7 +137,7 @@ async function without(browser, name) {
 
 (async () => {
     const browser = await open();
-    const limit = setTimeout(() => { console.log(`the browser did not answer in time at ${here}`); browser.close(1); }, 560e3);
+    const limit = setTimeout(() => { console.log(`the browser did not answer in time at ${here}`); browser.close(1); }, 1700e3);
     browser.hear(m => {
         if (m.method === 'Log.entryAdded' && !/GPU stall|Performance|CONTEXT_LOST|context lost/i.test(m.params.entry.text)) complain(`console: ${m.params.entry.text}`);
         if (m.method === 'Runtime.consoleAPICalled') complain(`console: ${JSON.stringify(m.params.args).slice(0, 300)}`);
