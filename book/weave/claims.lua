@@ -42,9 +42,9 @@ local function term(page, text)
     if tonumber(text) then return tonumber(text) end
     local name, operator, factor = text:match("^(.-)%s*([*/])%s*([%d.]+)$")
     if not name then name, operator = text, "" end
-    if not name:find("^[%w_./-]+$") then name = nil end
-    if not name then return nil, "'" .. text .. "' is no number, NAME, NAME*2 or NAME/2" end
-    local value, why = Numbers.value(page, name)
+    if not name:find("^[%w_./-]+$") then return nil, "'" .. text .. "' is no number, NAME, NAME*2 or NAME/2" end
+    local value, why = tonumber(name)
+    if not value then value, why = Numbers.value(page, name) end
     if not value then return nil, why end
     if operator == "*" then value = value * tonumber(factor) elseif operator == "/" then value = value / tonumber(factor) end
     return value

@@ -96,7 +96,7 @@ TEST_CASE("implicit Euler and position-based dynamics hold a cloth at forty time
 }
 
 TEST_CASE(
-    "implicit Euler comes to rest where the springs do; position-based dynamics where its iterations end") {
+    "implicit Euler comes to rest where the springs do, position-based dynamics where its iterations end") {
     SpringNet net = chain(6, 0.1, {60, 0.2}, {0, 0, 0}, {0, -1.4, 0}, true);
     net.start = chain(6, 0.1, {60, 0.2}, {0, 0, 0}, {0, -1.2, 0}, true).start;
     net.drag = 0.3;

@@ -19,7 +19,7 @@ TEST_CASE("a full turn of small ones: late by n (beta - 2 atan(beta/2)), long by
     CHECK(scene.error(78) > scene.need.tolerance);
 }
 
-TEST_CASE("two quarter turns: a third of a turn apart; small ones by the product of their angles") {
+TEST_CASE("two quarter turns: a third of a turn apart, small ones by the product of their angles") {
     CHECK(std::abs(TwoQuarterTurns{}.apart() - 2 * pi / 3) <= identity);
     for (const double angle : {0.1, 0.01, 0.001}) {
         const TwoQuarterTurns turns{quaternion_about(Vector3::UnitX(), angle),

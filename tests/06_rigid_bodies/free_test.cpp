@@ -117,7 +117,7 @@ TEST_CASE("S7 over 100 s: the exact solution and the fine run agree to 5e-12 rad
     CHECK(scene.solution.between_flips() == Approx(7.0).epsilon(1e-3));
 }
 
-TEST_CASE("The flip: 4.058030 s, then every 6.976516 s, to all digits; in a run too; as printed never") {
+TEST_CASE("The flip: 4.058030 s, then every 6.976516 s, to all digits, in a run too, and as printed never") {
     const FreeBody scene = flip();
     const auto printed = [](double value) { return std::round(value * 1e6) / 1e6; };
     CHECK(printed(scene.solution.first_flip()) == 4.058030);

@@ -72,7 +72,7 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "Methods of chapters 1 and 3 swing a pinned body at their orders; and so does the method on the group") {
+    "Methods of chapters 1 and 3 swing a pinned body at their orders, and so does the method on the group") {
     for (const Pendulum& scene : {rod_pendulum(0.5), compound_pendulum(2)}) {
         INFO(scene.name);
         CHECK_THAT(errors_of(scene, methods::euler, {40'000, 80'000, 160'000}), HasOrder(1));

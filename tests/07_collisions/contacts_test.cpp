@@ -134,7 +134,7 @@ TEST_CASE("Boxes with parallel edges, equal boxes in one place: no NaN") {
                       ContainsSubstring("planes only"));
 }
 
-TEST_CASE("A sphere and a box touch where the box is nearest; spheres on the line of their centres") {
+TEST_CASE("A sphere and a box touch where the box is nearest, spheres on the line of their centres") {
     Chance chance(23);
     for (int i = 0; i < 1000; ++i) {
         const Box box{{chance(0.2, 1), chance(0.2, 1), chance(0.2, 1)}};

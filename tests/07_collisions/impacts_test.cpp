@@ -20,7 +20,7 @@ std::array<Vector3, 2> after(const TwoBalls& scene) {
 
 }  // namespace
 
-TEST_CASE("Head-on: elastic, inelastic, stuck; equal masses swap (S11)") {
+TEST_CASE("Head-on: elastic, inelastic, stuck, and equal masses swap (S11)") {
     const auto [a, b] = after(TwoBalls::head_on());
     CHECK(a.x() == near(-2, 1e-12));  // by hand: the centre of mass rests, both turn round
     CHECK(b.x() == near(1, 1e-12));

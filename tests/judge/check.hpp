@@ -42,8 +42,10 @@ std::string state_of(const std::filesystem::path& folder);
 Chapter chapter_of(const Rooms& rooms, const std::string& verb, const std::string& which);
 /// Tries the answers under the judge's limits, then puts the learner's headers, the reference's bodies where
 /// there is no answer, where the chapter finds them first. The caller holds the lock of CONFIG_MINE.
-/// @throws std::runtime_error with the sentence if an answer does not compile, crash or end
-void stock_mine(const Rooms& rooms, const Chapter& chapter);
+/// @param broken  what an answer that does not compile, crashes or does not end does: the reference stands in
+/// for it, with a sentence, or std::runtime_error is thrown with that sentence
+enum class Broken { has_a_stand_in, stops };
+void stock_mine(const Rooms& rooms, const Chapter& chapter, Broken broken);
 /// Builds a target on them. @throws std::runtime_error with the compiler's words about the learner's line
 void build_mine(const Rooms& rooms, const Chapter& chapter, const std::string& target);
 /// ./course live N --mine: a copy of the book in `out`, its moving figures on the learner's answers, made

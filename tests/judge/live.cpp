@@ -60,7 +60,7 @@ int verb_live(const Rooms& rooms, const std::string& which, const fs::path& book
             std::string sentence;
             try {
                 const Lock lock(CONFIG_MINE);
-                stock_mine(rooms, chapter);
+                stock_mine(rooms, chapter, Broken::stops);
                 build_mine(rooms, chapter, "live_mine_" + chapter.folder);
                 show();
                 std::cout << "The page has it.\n";

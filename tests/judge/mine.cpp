@@ -54,7 +54,7 @@ std::string engine(const fs::path& own_file, const std::string& own_text, const 
 
 }  // namespace
 
-void stock_mine(const Rooms& rooms, const Chapter& chapter) {
+void stock_mine(const Rooms& rooms, const Chapter& chapter, Broken broken) {
     const fs::path answers = rooms.answers / chapter.folder;
     if (!fs::exists(answers))
         throw std::runtime_error("there is no " + named(rooms, answers) + " yet: ./course start makes it");
@@ -64,6 +64,9 @@ void stock_mine(const Rooms& rooms, const Chapter& chapter) {
     std::vector<Number> cannot_run;
     for (const Verdict& verdict : check(rooms, chapter, chapter.exercises)) {
         if (verdict.outcome == Outcome::not_compiled || verdict.outcome == Outcome::failed) {
+            if (broken == Broken::stops)
+                throw std::runtime_error("your answer to " + verdict.number.text() +
+                                         " cannot be run: " + verdict.name + "\n" + verdict.words);
             std::cout << folded("Your answer to " + verdict.number.text() + " cannot be run (" +
                                     verdict.name + "; ./course check " + verdict.number.text() +
                                     " says more): the reference stands in for it.",
@@ -127,7 +130,7 @@ int verb_mine(const Rooms& rooms, const std::string& which, const fs::path& want
     const Chapter chapter = chapter_of(rooms, "run", which);
     const fs::path out = wanted_out.empty() ? rooms.course / "out/mine" / chapter.folder : wanted_out;
     const Lock lock(CONFIG_MINE);
-    stock_mine(rooms, chapter);
+    stock_mine(rooms, chapter, Broken::has_a_stand_in);
     const std::string target = "mine_" + chapter.folder;
     build_mine(rooms, chapter, target);
     const Ran ran = run({(fs::path(CONFIG_BIN) / target).string(), "--out", out.string()},

@@ -49,7 +49,7 @@ struct SmallTurn {
                       return Quaternion(q.coeffs() + (four_vector(beta, 0) * q).coeffs() / 2);
                   }},
                  {"the rows of (31) as printed", "E19",
-                  "A body jumps into another pose with its first step.",
+                  "A body turns about a wrong axis, sticks, and grows without end.",
                   "The printed (31) begins with the scalar row, but (27) stores the scalar last. "
                   "Its rows belong in the order x, y, z, w.",
                   [](const Quaternion& q, const Vector3& beta) -> Quaternion {

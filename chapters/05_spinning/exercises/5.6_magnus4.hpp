@@ -88,6 +88,8 @@ struct Magnus4 {
                                                 b = dt * spin(q, t + (3 + r) / 6 * dt);
                                   return exp_of((a + b) / 2 - r / 12 * a.cross(b)) * q;
                               }}},
+            .survivors = {{"3.0 without its point", "std::sqrt takes 3 as 3.0"},
+                          {"3.0 without its point, 2", "std::sqrt takes 3 as 3.0"}},
         };
     }
 #endif

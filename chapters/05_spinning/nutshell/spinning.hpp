@@ -17,8 +17,8 @@ inline Vector3 point_velocity(const Vector3& omega, const Quaternion& pose, cons
     // end 5.1
 }
 
-/// The mean angular velocity [rad/s] that leads from one pose to the next in dt seconds, the
-/// shorter way round: between two pictures nobody can tell a long way from a short one.
+/// The steady angular velocity [rad/s] that would lead from one pose to the next in dt seconds,
+/// the shorter way round: between two pictures nobody can tell a long way from a short one.
 /// @throws std::invalid_argument if dt is not finite and greater than zero
 inline Vector3 angular_velocity_between(const Quaternion& from, const Quaternion& to, double dt) {
     require_positive(dt, "angular_velocity_between: dt [s]");
