@@ -74,7 +74,8 @@ struct Rk4Pose {
                           return Flat(rate_of(spin(pose, t), pose));
                       });
                   }},
-                 {"the rows of (31) as printed", "E19", "The body turns about a wrong axis and sticks.",
+                 {"the rows of (31) as printed", "E19",
+                  "The body turns about a wrong axis and sticks.",
                   "The scalar's row stands first in the printed (31); q keeps its scalar last.",
                   [](const Quaternion& q, const auto& spin, double t, double dt) -> Quaternion {
                       return runge_kutta(q, t, dt, [&](const Flat& y, double now) {

@@ -39,7 +39,7 @@ struct SpinningWheel {
 // [/wheel]
 
 // [coning]
-/// A body that spins about its own x axis while that axis goes round a cone: like a top that
+/// A body that spins about its own x axis while that axis goes round a circle: like a top that
 /// circles, or a drone's camera that shakes. exact: R = R_z(turning t) R_x(spinning t), accurate
 /// to 1e-16 of the angles.
 struct Coning {
