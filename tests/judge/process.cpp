@@ -110,6 +110,7 @@ Ran run(const std::vector<std::string>& words, const Limits& limits) {
     for (const auto& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
     arguments.push_back(nullptr);
 
+    signal(SIGPIPE, SIG_IGN);  // a program that ends before it is told is seen by what write() gives
     Ran ran;
     Pipe in, out, err, extra, failed;
     if (limits.caged) prctl(PR_SET_CHILD_SUBREAPER, 1);
