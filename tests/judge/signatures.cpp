@@ -83,8 +83,9 @@ std::optional<Finding> power_of_argument(const Evidence& evidence, const std::ve
             bool fits = true;
             for (const auto& [input, c] : all) {
                 const auto& values = inputs[input].values;
-                const auto found = std::find_if(values.begin(), values.end(),
-                                                [&](const auto& value) { return value.first == name; });
+                const auto found =
+                    std::find_if(values.begin(), values.end(),
+                                 [&, name = name](const auto& value) { return value.first == name; });
                 fits = fits && found != values.end() && found->second.size() == 1 && found->second[0] != 0;
                 if (!fits) break;
                 const double constant = c / std::pow(std::abs(found->second[0]), power);

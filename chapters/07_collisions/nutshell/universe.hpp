@@ -62,7 +62,7 @@ struct PrintedUniverse {
     }
     /// The source's Rotation(v): the axis is v/|v|, 0/0 where |v| is zero or too small to square
     /// (E52); it turns the wrong way (E51) and stretches (E53).
-    [[gnu::no_sanitize("float-divide-by-zero")]] static Eigen::Matrix3f rotation(
+    __attribute__((no_sanitize("float-divide-by-zero"))) static Eigen::Matrix3f rotation(
         const Vector3f& v) {
         const float angle = std::sqrt(v.x() * v.x() + v.y() * v.y() + v.z() * v.z());
         const float x = v.x() / angle, y = v.y() / angle, z = v.z() / angle;
