@@ -1,0 +1,10 @@
+// Chapter 7 · Collisions.  ./course run 7  runs it; results in out/07_collisions.
+#include "program.hpp"
+
+int main(int argc, char** argv) {
+    return nutshell::lab::program(argc, argv, "07_collisions", [](nutshell::lab::Report& report) {
+        // 07_collisions: impacts and friction
+        nutshell::head_on(report);
+        // 07a_piles: rest, stacks, piles, the universe
+    });
+}
