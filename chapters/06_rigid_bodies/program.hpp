@@ -1,0 +1,16 @@
+// The parts of chapter 6's program: each runs a scene, prints what it found, and writes its data,
+// charts and pictures.
+#pragma once
+#include <nutshell/lab/output.hpp>
+
+namespace nutshell {
+
+// 6: torque, inertia, assembling
+void pendulum(lab::Report& report);
+
+// 6A: free bodies and tops
+
+// both
+void pictures(lab::Report& report);
+
+}  // namespace nutshell

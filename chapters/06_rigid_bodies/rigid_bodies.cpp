@@ -1,0 +1,13 @@
+// Chapter 6 · Rigid bodies.  ./course run 6  runs it; results in out/06_rigid_bodies.
+#include "program.hpp"
+
+int main(int argc, char** argv) {
+    return nutshell::lab::program(argc, argv, "06_rigid_bodies",
+                                  [](nutshell::lab::Report& report) {
+                                      // 6: torque, inertia, assembling
+                                      nutshell::pendulum(report);
+                                      // 6A: free bodies and tops
+                                      // both
+                                      nutshell::pictures(report);
+                                  });
+}
