@@ -5,6 +5,17 @@ int main(int argc, char** argv) {
     return nutshell::lab::program(argc, argv, "07_collisions", [](nutshell::lab::Report& report) {
         // 07_collisions: impacts and friction
         nutshell::head_on(report);
+        nutshell::glancing(report);
+        nutshell::pool(report);
+        nutshell::bouncing(report);
+        nutshell::bad_floors(report);
+        nutshell::too_fast(report);
+        nutshell::levers(report);
+        nutshell::gaining(report);
+        nutshell::slope(report);
+        nutshell::bowling(report);
+        nutshell::cradle(report);
+        nutshell::pictures(report);
         // 07a_piles: rest, stacks, piles, the universe
     });
 }

@@ -7,6 +7,17 @@ namespace nutshell {
 
 // 07_collisions: impacts and friction
 void head_on(lab::Report& report);
+void glancing(lab::Report& report);
+void pool(lab::Report& report);
+void bouncing(lab::Report& report);
+void bad_floors(lab::Report& report);
+void too_fast(lab::Report& report);
+void levers(lab::Report& report);
+void gaining(lab::Report& report);
+void slope(lab::Report& report);
+void bowling(lab::Report& report);
+void cradle(lab::Report& report);
+void pictures(lab::Report& report);
 
 // 07a_piles: rest, stacks, piles, the universe
 

@@ -46,6 +46,23 @@ TEST_CASE("A block on a slope of 26 degrees sticks: creep below a nanometre in 5
     }
 }
 
+TEST_CASE("A pyramid for friction's cone: a block that must slide stands still at 30 and 45 degrees") {
+    for (const double heading : {0.0, 10.0, 25.0, 30.5, 45.0, 59.5, 80.0}) {
+        BlockOnSlope scene;
+        scene.heading = heading * pi / 180, scene.switches.pyramid = true;
+        const World world = run(scene, scene.duration);
+        // along each edge by itself: friction of up to mu times the weight against its part of the pull
+        const auto along = [&](double part) {
+            return scene.duration * scene.g *
+                   std::max(0.0, part * std::sin(scene.slope) - scene.friction * std::cos(scene.slope));
+        };
+        INFO("towards " << heading << " degrees");
+        CHECK(velocity(world.bodies[0]).x() == near(along(std::cos(scene.heading)), 1e-9));
+        CHECK(velocity(world.bodies[0]).z() == near(along(std::sin(scene.heading)), 1e-9));
+        if (heading > 30 && heading < 60) CHECK(velocity(world.bodies[0]).norm() < 1e-9);
+    }
+}
+
 TEST_CASE("A block tips where the slope is steeper than its width over its height") {
     BlockOnSlope scene;
     scene.friction = 2;

@@ -130,6 +130,17 @@ TEST_CASE("Newton's cradle: impacts one after another are exact, all at once are
     for (std::size_t i = 0; i < 5; ++i) CHECK(velocity(all[i]).x() == near(i > 2 ? 1 : 0, 1e-12));
 }
 
+TEST_CASE("Newton's cradle with gaps of 2 cm: four impacts, the last ball leaves alone (S12)") {
+    for (const double gap : {0.02, 0.003, 0.0}) {
+        Balls row = Cradle{}.with_gaps(gap);
+        CHECK(fly_by_events(row, 1) == 4);
+        for (std::size_t i = 0; i < 5; ++i) CHECK(velocity(row.all[i]).x() == near(i == 4 ? 1 : 0, 1e-12));
+        // the four gaps are crossed at 1 m/s one after another, then the last flies on
+        CHECK(row.all[4].position.x() == near(4 * (1 + gap) + 1 - 4 * gap, 1e-12));
+        CHECK(row.all[3].position.x() == near(4 * (1 + gap) - 1, 1e-12));
+    }
+}
+
 TEST_CASE("One after another ends when nothing closes in, and says so when it never would") {
     Cradle cradle;
     auto all = cradle.start();

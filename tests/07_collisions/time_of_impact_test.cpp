@@ -1,5 +1,5 @@
 // Times of impact against fine stepping and closed forms; the bouncing ball by events and by steps.
-#include <nutshell/bouncing_ball.hpp>
+#include <nutshell/bouncing_methods.hpp>
 #include "near.hpp"
 
 using namespace nutshell;
@@ -25,13 +25,14 @@ double distance_to_box(const Vector3& p, const Box& box) {
     return (p - p.cwiseMax(-box.half).cwiseMin(box.half)).norm();
 }
 
-double rms_error(const BouncingBall& scene, double dt) {
+template <class Method>
+double rms_error(const BouncingBall& scene, const Method& method, double dt) {
     Particle body = scene.start;
+    auto step = method.start(scene);
     double sum = 0;
     long n = 0;
     for (; static_cast<double>(n) * dt < 3 - dt / 2; ++n) {
-        body = verlet(body, scene, 0, dt);
-        bounce_off_floor(scene, body);
+        body = step(body, scene, 0, dt);
         const double error = scene.error(body, static_cast<double>(n + 1) * dt);
         sum += error * error;
     }
@@ -137,17 +138,47 @@ TEST_CASE("The bouncing ball by events is exact: height, every bounce, rest (S9)
     CHECK(half.rest_time() == near(1.3546, 1e-3));
 }
 
+TEST_CASE("Zeno: each tenth of the time that is left has 22 bounces, until the clock stands still") {
+    const BouncingBall scene;
+    std::vector<double> at;
+    bounce_by_events(scene, scene.start, 12, [&](double t, const Particle&) { at.push_back(t); });
+    const double fall = std::sqrt(2 / scene.g);
+    double sum = fall, flight = 2 * 0.9 * fall;  // by hand: the row of flights, each 0.9 of the last
+    for (std::size_t n = 0; n < 100; ++n, sum += flight, flight *= 0.9) CHECK(at[n] == near(sum, 1e-12));
+    for (const double left : {1.0, 0.1, 1e-3, 1e-6}) {
+        const auto later = std::lower_bound(at.begin(), at.end(), scene.rest_time() - left);
+        CHECK(static_cast<double>(later - at.begin()) == near(scene.bounces_until(left), 1));
+    }
+    CHECK(scene.bounces_until(1e-4) - scene.bounces_until(1e-3) ==
+          near(std::log(10.0) / std::log(1 / 0.9), 1e-9));
+    // Without an end the clock stands still: a flight is shorter than half the last digit of 8.58 s.
+    double now = fall, flown = 2 * 0.9 * fall;
+    int bounces = 1;
+    for (; now + flown > now; ++bounces) now += flown, flown *= 0.9;
+    CHECK(bounces == near(std::log(0.5 * 0x1p-49 / (2 * fall)) / std::log(0.9), 2));
+    CHECK(scene.rest_time() - now < 1e-13);
+}
+
 TEST_CASE("The bouncing ball by steps: order 1, because an impact comes up to a step late") {
     // The mean over many steps near dt: a single one hits the floor by chance early or late.
     Convergence c;
     for (const double dt : {1 / 60.0, 1 / 120.0, 1 / 240.0, 1 / 480.0, 1 / 960.0}) {
         double sum = 0;
         const int steps = 20;
-        for (int i = 0; i < steps; ++i) sum += rms_error(BouncingBall{}, dt * (0.8 + 0.4 * i / steps));
+        for (int i = 0; i < steps; ++i)
+            sum += rms_error(BouncingBall{}, methods::bounce_steps, dt * (0.8 + 0.4 * i / steps));
         c.dt.push_back(dt), c.error.push_back(sum / steps);
     }
     CHECK_THAT(c, HasOrder(1, 0.1));
     CHECK(c.error.front() == near(0.112, 0.001));  // 11 cm rms at 60 steps a second
+}
+
+TEST_CASE("Smaller steps mend neither a floor that pushes nor the printed one") {
+    for (const double dt : {1 / 60.0, 1 / 960.0}) {
+        CHECK(rms_error(BouncingBall{}, methods::bounce_events, dt) < 1e-9);
+        CHECK(rms_error(BouncingBall{}, methods::bounce_pushed, dt) > 0.2);
+        CHECK(rms_error(BouncingBall{}, methods::bounce_printed, dt) > 0.1);  // it sinks in by its radius
+    }
 }
 
 TEST_CASE("Pushing a ball out of the floor through its velocity makes it bounce higher than it fell") {

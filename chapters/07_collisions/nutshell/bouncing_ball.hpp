@@ -32,6 +32,12 @@ struct BouncingBall {
     double path() const {
         return drop() * (1 + restitution * restitution) / (1 - restitution * restitution);
     }
+    /// How many bounces are over when `left` [s] are left until the rest: after n of them that is
+    /// 2 sqrt(2 h/g) e^n/(1 - e), so each tenth of the time takes as many as the one before.
+    double bounces_until(double left) const {
+        const double fall = std::sqrt(2 * drop() / g);
+        return std::log(left * (1 - restitution) / (2 * fall)) / std::log(restitution);
+    }
     Particle exact(double t) const {
         const double fall = std::sqrt(2 * drop() / g);
         if (t < fall) return at(drop() - g * t * t / 2, -g * t);
@@ -94,11 +100,13 @@ inline Particle bounce_by_events(const BouncingBall& scene, const Particle& body
 /// The floor for a method that steps: where a step ends below it, an impact if the ball still
 /// goes down, and the ball is set on the floor. The impact is up to a step late: order 1.
 inline void bounce_off_floor(const BouncingBall& scene, Particle& body) {
+    // exercise 7.4
     const double depth = scene.ball.radius - distance_to(scene.floor, body.position);
     if (depth < 0) return;
     Particle earth{immovable};
     collide(earth, body, scene.floor.normal, scene.restitution);
     body.position += depth * scene.floor.normal;
+    // end 7.4
 }
 // [/floor_rule]
 

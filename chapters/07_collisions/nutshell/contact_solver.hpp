@@ -128,7 +128,22 @@ struct Press {
     double slow;             ///< contacts that close in slower than this [m/s] do not bounce
     Softness soft = {};      ///< of contacts that overlap
     double fastest_out = 3;  ///< what overlaps comes out no faster [m/s]
+    bool pyramid = false;    ///< friction bounded along two axes apart, not in a cone: wrong
 };
+
+/// Friction of at most `limit` in size, whatever its direction: Coulomb's cone.
+inline Vector3 in_cone(const Vector3& friction, double limit) {
+    const double square = friction.squaredNorm();
+    return square > limit * limit ? Vector3(limit / std::sqrt(square) * friction) : friction;
+}
+
+/// Friction of at most `limit` along each of two axes across the normal, as fast solvers have it:
+/// between the axes that is up to sqrt 2 times too much. Wrong, and kept to show it.
+inline Vector3 in_pyramid(const Vector3& friction, double limit, const Vector3& n) {
+    const Vector3 x = n.unitOrthogonal(), y = n.cross(x);
+    return std::clamp(x.dot(friction), -limit, limit) * x +
+           std::clamp(y.dot(friction), -limit, limit) * y;
+}
 
 /// One contact's turn: the impulse that makes it neither close in nor slide, added to what it had
 /// so far; the sum never pulls, and its friction never exceeds mu times its normal impulse,
@@ -149,9 +164,10 @@ inline void press(PressedContact& c, Body& a, Body& b, const Mobility& of_a, con
 
     const double normal =
         std::max(0.0, (1 - fade) * c.normal_impulse + mass * c.normal_mass * (speed - s));
-    Vector3 friction = c.friction - c.friction_mass * (u - s * c.normal);
-    const double limit = want.friction * normal, square = friction.squaredNorm();
-    if (square > limit * limit) friction *= limit / std::sqrt(square);
+    const Vector3 wanted = c.friction - c.friction_mass * (u - s * c.normal);
+    const double limit = want.friction * normal;
+    const Vector3 friction =
+        want.pyramid ? in_pyramid(wanted, limit, c.normal) : in_cone(wanted, limit);
 
     apply_impulse(c, a, b, (normal - c.normal_impulse) * c.normal + (friction - c.friction));
     c.normal_impulse = normal, c.friction = friction;

@@ -37,6 +37,7 @@ struct Switches {
     double damping = 10;     ///< their damping ratio
     double near = 0.1;       ///< contacts are kept from this gap on, times the smallest reach
     SleepRule rule = {};
+    bool pyramid = false;  ///< friction bounded along two axes apart: wrong, see `in_pyramid`
 };
 // [/switches]
 
@@ -55,7 +56,9 @@ class Engine {
         const double h = dt / on.sub_steps, g = world.gravity.norm();
         Press push{h, world.surface.friction, 0, 0};
         if (on.soft) push.soft = softness(on.stiffness / h, on.damping, h);
-        const Press relax{h, world.surface.friction, world.surface.restitution, 2 * g * h};
+        push.pyramid = on.pyramid;
+        Press relax{h, world.surface.friction, world.surface.restitution, 2 * g * h};
+        relax.pyramid = on.pyramid;
         for (int k = 0; k < on.sub_steps; ++k) {
             for (std::size_t i = 0; i < world.bodies.size(); ++i)
                 if (moves(world, i)) kick(world.bodies[i], weight(world.bodies[i], world), h);

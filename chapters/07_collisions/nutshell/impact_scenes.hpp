@@ -52,29 +52,6 @@ struct TwoBalls {
 };
 // [/two_balls]
 
-// [cradle]
-/// Newton's cradle: five balls of 1 kg and radius 0.5 m in a row, the first comes in at 1 m/s
-/// (scene S12). exact: the last leaves alone at 1 m/s.
-struct Cradle {
-    std::string name = "cradle";
-    std::size_t balls = 5;
-    double restitution = 1;
-
-    std::vector<Particle> start() const {
-        std::vector<Particle> all(balls);
-        for (std::size_t i = 0; i < balls; ++i)
-            all[i].position.x() = static_cast<double>(i);  // they touch
-        all.front().momentum = {1, 0, 0};
-        return all;
-    }
-    std::vector<Touch> touches() const {
-        std::vector<Touch> list;
-        for (std::size_t i = 0; i + 1 < balls; ++i) list.push_back({i, i + 1, {1, 0, 0}});
-        return list;
-    }
-};
-// [/cradle]
-
 // [balls]
 /// Smooth balls of one radius that fly straight between impacts.
 struct Balls {
@@ -108,6 +85,35 @@ inline long fly_by_events(Balls& balls, double duration) {
     }
 }
 // [/balls]
+
+// [cradle]
+/// Newton's cradle: five balls of 1 kg and radius 0.5 m in a row, the first comes in at 1 m/s
+/// (scene S12). exact: the last leaves alone at 1 m/s.
+struct Cradle {
+    std::string name = "cradle";
+    std::size_t balls = 5;
+    double restitution = 1;
+
+    std::vector<Particle> start() const {
+        std::vector<Particle> all(balls);
+        for (std::size_t i = 0; i < balls; ++i)
+            all[i].position.x() = static_cast<double>(i);  // they touch
+        all.front().momentum = {1, 0, 0};
+        return all;
+    }
+    /// The same row with gaps [m], to fly from impact to impact: the exact end is the same.
+    Balls with_gaps(double gap = 0.02) const {
+        Balls row{0.5, restitution, start()};
+        for (std::size_t i = 0; i < balls; ++i) row.all[i].position.x() *= 2 * row.radius + gap;
+        return row;
+    }
+    std::vector<Touch> touches() const {
+        std::vector<Touch> list;
+        for (std::size_t i = 0; i + 1 < balls; ++i) list.push_back({i, i + 1, {1, 0, 0}});
+        return list;
+    }
+};
+// [/cradle]
 
 // [pool_break]
 /// The break of pool: fifteen balls (diameter 57.15 mm, 0.17 kg) in a triangle, `gap` [m] between

@@ -38,17 +38,21 @@ inline double separating_speed(const Particle& a, const Particle& b, const Vecto
 /// close in. Eq. (7.a), out of eq. (65*) and the momentum that both keep.
 /// @param e  restitution: 1 elastic, 0 stuck along n
 inline double impact_impulse(const Particle& a, const Particle& b, const Vector3& n, double e) {
+    // exercise 7.1
     const double s = separating_speed(a, b, n);
     if (!(s < 0)) return 0;
     return -(1 + e) * s / (1 / a.mass + 1 / b.mass);
+    // end 7.1
 }
 
 /// Collide: two particles meet, and one impulse along n (unit, from a to b) changes both momenta.
 /// A wall is a particle of mass `immovable`. Source: eqs. (67*)-(71).
 inline void collide(Particle& a, Particle& b, const Vector3& n, double e) {
+    // exercise 7.2
     const Vector3 impulse = impact_impulse(a, b, n, e) * n;
     a.momentum -= impulse;
     b.momentum += impulse;
+    // end 7.2
 }
 // [/collide]
 

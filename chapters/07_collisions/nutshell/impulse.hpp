@@ -4,6 +4,8 @@
 #include <Eigen/LU>
 #include <nutshell/body.hpp>
 #include <nutshell/impacts.hpp>
+#include <nutshell/method.hpp>
+#include <optional>
 
 namespace nutshell {
 
@@ -35,10 +37,12 @@ inline Vector3 contact_velocity(const Body& a, const Body& b, const Contact& at)
 /// The impulse J [N s], world axes, on b at the point of contact, and its opposite on a: what one
 /// gains, in momentum and about any point in angular momentum, the other loses.
 inline void apply_impulse(Body& a, Body& b, const Contact& at, const Vector3& J) {
+    // exercise 7.6
     a.momentum -= J;
     b.momentum += J;
     a.angular_momentum -= (at.point - a.position).cross(J);
     b.angular_momentum += (at.point - b.position).cross(J);
+    // end 7.6
 }
 // [/apply_impulse]
 
@@ -48,11 +52,13 @@ inline void apply_impulse(Body& a, Body& b, const Contact& at, const Vector3& J)
 /// turning.
 inline Matrix3 mobility(double inverse_mass, const Matrix3& inverse_inertia,
                         const Vector3& lever) {
+    // exercise 7.5
     Matrix3 cross;                      // cross * J = lever x J
     cross << 0, -lever.z(), lever.y(),  //
         lever.z(), 0, -lever.x(),       //
         -lever.y(), lever.x(), 0;
     return inverse_mass * Matrix3::Identity() - cross * inverse_inertia * cross;
+    // end 7.5
 }
 
 /// The same for the relative velocity of two bodies: u' = u + K J.
@@ -72,20 +78,15 @@ inline Vector3 smooth_impulse(const Matrix3& K, const Vector3& u, const Vector3&
 }
 // [/smooth]
 
-// [plastic]
-/// The plastic impact with Coulomb's friction: the impulse after which the bodies no longer close
-/// in, and do not slide either; or, where that would need more friction than mu times the normal
-/// impulse, slide on against just as much. Eq. (7.e).
-/// @param K, u  mobility [1/kg] and relative velocity [m/s] of the contact, n.u < 0
-inline Vector3 plastic_impulse(const Matrix3& K, const Vector3& u, const Vector3& n, double mu) {
-    const Vector3 stick = -K.inverse() * u;
-    const double normal = n.dot(stick);
-    if (normal > 0 && (stick - normal * n).norm() <= mu * normal) return stick;
-
-    // It slides, towards some unit vector d, and the impulse is along n - mu d. What brings the
-    // separating speed to zero is then -n.u/gain times that, gain = n.K(n - mu d); and the
-    // velocity that is left, times gain, is `left`. The right d is the direction of that
-    // velocity.
+// [sliding]
+/// The impulse of an impact without bounce through which the contact slides, towards some unit
+/// vector d: along n - mu d, so great that nothing closes in any more. d must be where the velocity
+/// that it leaves points; it is looked for all round. Eq. (7.f).
+/// @return nothing if no direction is found
+inline std::optional<Vector3> sliding_impulse(const Matrix3& K, const Vector3& u,
+                                              const Vector3& n, double mu) {
+    // What brings the separating speed to zero is -n.u/gain times n - mu d, gain = n.K(n - mu d);
+    // and the velocity that is left, times gain, is `left`.
     const Vector3 across = u - n.dot(u) * n;
     const Vector3 x = across.norm() > 0 ? across.normalized() : n.unitOrthogonal();
     const Vector3 y = n.cross(x);
@@ -107,8 +108,8 @@ inline Vector3 plastic_impulse(const Matrix3& K, const Vector3& u, const Vector3
         return Vector3(-n.dot(u) / gain * along);
     };
     if (std::abs(off(0)) <= 1e-15 * K.norm() * u.norm())
-        if (const auto J = slides(0)) return *J;  // a ball: friction turns no direction
-    for (const int looks : {32, 2048}) {          // thin rods have roots close together
+        if (const auto J = slides(0)) return J;  // a ball: friction turns no direction
+    for (const int looks : {32, 2048}) {         // thin rods have roots close together
         const double step = 2 * pi / looks;
         for (int i = 0; i < looks; ++i) {  // from x to both sides in turn
             const double side = i % 2 ? -1 : 1;
@@ -119,10 +120,26 @@ inline Vector3 plastic_impulse(const Matrix3& K, const Vector3& u, const Vector3
                 const double middle = (from + to) / 2;
                 ((off(middle) > 0) == sign ? from : to) = middle;
             }
-            if (const auto J = slides(to)) return *J;
+            if (const auto J = slides(to)) return J;
         }
     }
-    return smooth_impulse(K, u, n, 0);
+    return {};
+}
+// [/sliding]
+
+// [plastic]
+/// The impact without bounce, with Coulomb's friction: afterwards the contact neither closes in
+/// nor slides, if mu times the normal impulse can hold it. Else it slides on, against just as
+/// much. Should no direction of sliding be found, there is no friction. Eqs. (7.e), (7.f).
+/// @param K, u  mobility [1/kg] and relative velocity [m/s] of the contact, n.u < 0
+inline Vector3 plastic_impulse(const Matrix3& K, const Vector3& u, const Vector3& n, double mu) {
+    // exercise 7.7
+    const Vector3 stick = -K.inverse() * u;
+    const double normal = n.dot(stick);
+    const Vector3 friction = stick - normal * n;
+    if (normal > 0 && friction.norm() <= mu * normal) return stick;
+    return sliding_impulse(K, u, n, mu).value_or(smooth_impulse(K, u, n, 0));
+    // end 7.7
 }
 // [/plastic]
 
@@ -136,12 +153,32 @@ inline Vector3 clamped_impulse(const Matrix3& K, const Vector3& u, const Vector3
 
 /// Restitution as an echo: the plastic impulse, times 1 + e. It leaves with -e of its closing
 /// speed too; a contact that sticks leaves with -e of its tangential velocity as well. Never
-/// gains energy. Eq. (7.f).
+/// gains energy. Eq. (7.g).
 inline Vector3 echo_impulse(const Matrix3& K, const Vector3& u, const Vector3& n, double e,
                             double mu) {
     return (1 + e) * plastic_impulse(K, u, n, mu);
 }
 // [/laws]
+
+// [law]
+/// An impact law as one value: its name, its look on charts, and the impulse [N s] that it gives a
+/// contact of mobility K and velocity u, n.u < 0.
+struct ImpactLaw {
+    const char* name;
+    Look look;
+    Vector3 (*impulse)(const Matrix3& K, const Vector3& u, const Vector3& n, double e, double mu);
+
+    std::string key() const { return key_of(name); }
+};
+
+namespace laws {
+inline constexpr ImpactLaw clamped{
+    "clamped", {Family::explicit_one_step, Mark::circle}, clamped_impulse};
+inline constexpr ImpactLaw echo{"echo", {Family::symplectic, Mark::square}, echo_impulse};
+}  // namespace laws
+
+inline constexpr std::tuple impact_laws{laws::clamped, laws::echo};
+// [/law]
 
 // [collide_bodies]
 /// What two surfaces do when they meet.
@@ -150,17 +187,13 @@ struct Surface {
     double friction = 0;     ///< mu, not negative
 };
 
-/// Which of the two laws above.
-enum class ImpactLaw { clamped, echo };
-
-/// Collide: two bodies touch, and one impulse changes all four momenta.
+/// Collide: two bodies touch, and one impulse changes all four momenta. Eqs. (67*)-(69*).
 inline void collide(Body& a, Body& b, const Contact& at, const Surface& surface,
-                    ImpactLaw law = ImpactLaw::clamped) {
+                    const ImpactLaw& law = laws::clamped) {
     const Vector3 u = contact_velocity(a, b, at), &n = at.normal;
     if (!(n.dot(u) < 0)) return;
     const Matrix3 K = mobility(a, b, at);
-    const auto impulse = law == ImpactLaw::clamped ? clamped_impulse : echo_impulse;
-    apply_impulse(a, b, at, impulse(K, u, n, surface.restitution, surface.friction));
+    apply_impulse(a, b, at, law.impulse(K, u, n, surface.restitution, surface.friction));
 }
 // [/collide_bodies]
 

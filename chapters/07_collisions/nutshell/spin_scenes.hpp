@@ -26,7 +26,7 @@ struct SpinningBall {
         return spinning(body, spin);
     }
     Contact contact() const { return {{0, 0, 0}, {0, 1, 0}, 0, 0}; }
-    Body after(ImpactLaw law) const {
+    Body after(const ImpactLaw& law) const {
         Body floor = immovable_body(), body = ball();
         collide(floor, body, contact(), surface, law);
         return body;
@@ -47,31 +47,41 @@ struct SpinningBall {
 // [/spinning_ball]
 
 // [falling_rod]
-/// A smooth rod falls on its end (scene S10): half length 0.5 m, radius 0.05 m, 30 degrees to the
+/// A rod falls on its end, smooth unless said (scene S10): half length 0.5 m, radius 0.05 m, 30 degrees to the
 /// floor, 5 m/s down, restitution 1.
 struct FallingRod {
     std::string name = "falling_rod";
     Capsule shape{0.5, 0.05};
     Surface surface{1, 0};
     double slope = pi / 6;  // [rad]
-    double speed = 5;       // [m/s]
+    double speed = 5;       // [m/s], down
+    double sideways = 0;    // [m/s], along x
+    double spin = 0;        // [rad/s], about z
+
+    /// A rough one, at 40 degrees, turning: restitution as a wish gives it energy.
+    static FallingRod rough() {
+        FallingRod rod;
+        rod.surface = {0.9, 0.4}, rod.slope = 40 * pi / 180, rod.speed = 1, rod.spin = 4;
+        return rod;
+    }
 
     Body rod() const {
         Body body;
         body.inertia = {0.09, 0.00125, 0.09};
         body.orientation = quaternion_about({0, 0, 1}, slope - pi / 2);
         body.position.y() = shape.half_length * std::sin(slope) + shape.radius;
-        body.momentum.y() = -body.mass * speed;
-        return body;
+        body.momentum = body.mass * Vector3(sideways, -speed, 0);
+        return spinning(body, {0, 0, spin});
     }
-    Body after(ImpactLaw law) const {
+    Body after(const ImpactLaw& law) const {
         Body floor = immovable_body(), body = rod();
         std::vector<Contact> found;
         find_contacts(Plane{}, shape, body, 1e-9, found);
         collide(floor, body, found.at(0), surface, law);
         return body;
     }
-    /// Closed form: j = 2 v / (1/m + x^2/I), x how far the end is beside the centre.
+    /// Closed form of the smooth one that does not turn yet: j = 2 v / (1/m + x^2/I), x how far
+    /// the end is beside the centre.
     Body exact() const {
         Body body = rod();
         const double x = -shape.half_length * std::cos(slope);

@@ -11,6 +11,7 @@ namespace nutshell {
 /// gets negative: its first fall through zero. Nothing if it never does. Without the loss of
 /// digits of the school's formula; what touches already (c <= 0) and closes in, meets at once.
 inline std::optional<double> falls_through_zero(double a, double b, double c) {
+    // exercise 7.3
     if (c <= 0 && (b < 0 || (b == 0 && a < 0))) return 0.0;
     const double square = b * b - 4 * a * c;
     if (!(square >= 0)) return {};                                    // never zero; NaN neither
@@ -18,6 +19,7 @@ inline std::optional<double> falls_through_zero(double a, double b, double c) {
     if (a < 0) return q > 0 ? c / q : q / a;
     if (b < 0) return c / q;
     return {};
+    // end 7.3
 }
 // [/roots]
 
