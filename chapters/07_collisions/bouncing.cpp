@@ -88,7 +88,7 @@ void bouncing(lab::Report& report) {
     chart.subtitle =
         "Error of the height over the first 3 s; mean of 20 runs with about so many steps.";
     chart.x = {"steps a second", chart::Scale::logarithmic};
-    chart.y = {"rms error [m]", chart::Scale::logarithmic, 1e-15, 10};
+    chart.y = {"rms error [m]", chart::Scale::logarithmic, 1e-3, 1};
     chart.tolerance = {scene.need.tolerance, "half a pixel of 5 m"};
     chart.guides = {-1};
     lab::Table table{{"method", "rms at 60/s [m]", "order", "at rest after [s]"}, {}};

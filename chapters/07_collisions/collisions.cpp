@@ -12,8 +12,7 @@ int main(int argc, char** argv) {
         nutshell::too_fast(report);
         nutshell::levers(report);
         nutshell::gaining(report);
-        nutshell::slope(report);
-        nutshell::bowling(report);
+        nutshell::friction(report);
         nutshell::cradle(report);
         nutshell::pictures(report);
         // 07a_piles: rest, stacks, piles, the universe

@@ -14,14 +14,12 @@ World run(const World& start, const Switches& switches, double duration, double 
     return world;
 }
 
-}  // namespace
-
-void slope(lab::Report& report) {
+/// A block on a slope; its chart goes into the figure.
+void slope(lab::Report& report, chart::Figure& figure) {
     report.heading("A block on a slope, mu = 0.5");
     BlockOnSlope steep;
     chart::Chart chart;
-    chart.title = "Straight down any way, or not at all";
-    chart.subtitle = "Slope of 30°, μ = 0.5, after 2 s. Dashed: Coulomb's law.";
+    chart.title = "block, 30°, μ = 0.5, after 2 s";
     chart.x = {"way down, from the box's edge [degrees]", chart::Scale::linear, 0, 90};
     chart.y = {"speed [m/s]", chart::Scale::linear, 0};
     chart::Series cone{"cone"}, pyramid{"pyramid"}, law{""};
@@ -43,7 +41,7 @@ void slope(lab::Report& report) {
         if (heading > 29 && heading < 61) slow = std::max(slow, velocity(stuck.bodies[0]).norm());
     }
     chart.series = {law, cone, pyramid};
-    chart::write_svg(chart, report.path("slope.svg"));
+    figure.panels.push_back(chart);
     report.number("slope.speed", steep.exact_speed(steep.duration), "m/s");
     report.number("slope.mu_off", off);
     report.number("slope.pyramid.speed", slow, "m/s");
@@ -67,13 +65,12 @@ void slope(lab::Report& report) {
                " in any direction; with a pyramid it stands still at 30 and 45 degrees");
 }
 
-void bowling(lab::Report& report) {
+/// A bowling ball; its chart goes into the figure.
+void bowling(lab::Report& report, chart::Figure& figure) {
     const BowlingBall scene;
     report.heading("A bowling ball at 7 m/s, without spin");
     chart::Chart chart;
-    chart.title = "From sliding to rolling";
-    chart.subtitle =
-        "A bowling ball thrown at 7 m/s without spin, μ = 0.1. Dashed: the closed form.";
+    chart.title = "bowling ball, 7 m/s, μ = 0.1";
     chart.x = {"time [s]"}, chart.y = {"speed [m/s]", chart::Scale::linear, 0};
     chart::Series ball{"ball"}, point{"its lowest point"}, law{""};
     ball.look = Look{Family::symplectic, Mark::square};
@@ -93,7 +90,7 @@ void bowling(lab::Report& report) {
         engine.step(world, 1 / 60.0);
     }
     chart.series = {law, ball, point};
-    chart::write_svg(chart, report.path("bowling.svg"));
+    figure.panels.push_back(chart);
     report.number("bowling.speed", scene.speed, "m/s");
     report.number("bowling.end", velocity(world.bodies[0]).x(), "m/s");
     report.number("bowling.rolls_after", scene.rolls_after(), "s");
@@ -103,6 +100,17 @@ void bowling(lab::Report& report) {
     report.say("It rolls after " + lab::rounded(rolls) +
                " s (law: " + lab::rounded(scene.rolls_after()) + " s) at " +
                lab::rounded(velocity(world.bodies[0]).x()) + " m/s");
+}
+
+}  // namespace
+
+void friction(lab::Report& report) {
+    chart::Figure figure;
+    figure.title = "Friction, found by contact impulses alone";
+    figure.subtitle = "Marks and lines: runs; dashed: Coulomb's law.";
+    slope(report, figure);
+    bowling(report, figure);
+    chart::write_svg(figure, report.path("friction.svg"));
 }
 
 }  // namespace nutshell

@@ -32,13 +32,13 @@ void contact_diagram(lab::Report& report) {
         one->dashed({seen(scene.a.position - 0.7 * n), seen(scene.b.position + 0.9 * n)});
     }
     before.arrow(seen(scene.a.position), seen(velocity(scene.a), 0.4), chart::Quantity::velocity,
-                 "v_A");
+                 "v of A");
     before.contact(seen(touch), seen(n, 0.45));
     before.arrow(seen(scene.b.position), seen(n, 0.4 * j), chart::Quantity::momentum, "j n");
     before.arrow(seen(scene.a.position), seen(n, -0.4 * j), chart::Quantity::momentum, "−j n");
     const auto v = scene.exact();
-    after.arrow(seen(scene.a.position), seen(v[0], 0.4), chart::Quantity::velocity, "v_A");
-    after.arrow(seen(scene.b.position), seen(v[1], 0.4), chart::Quantity::velocity, "v_B");
+    after.arrow(seen(scene.a.position), seen(v[0], 0.4), chart::Quantity::velocity, "v of A");
+    after.arrow(seen(scene.b.position), seen(v[1], 0.4), chart::Quantity::velocity, "v of B");
     d.panels = {before, after};
     chart::write_svg(d, report.path("contact.svg"));
 }

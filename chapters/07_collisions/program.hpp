@@ -14,8 +14,7 @@ void bad_floors(lab::Report& report);
 void too_fast(lab::Report& report);
 void levers(lab::Report& report);
 void gaining(lab::Report& report);
-void slope(lab::Report& report);
-void bowling(lab::Report& report);
+void friction(lab::Report& report);
 void cradle(lab::Report& report);
 void pictures(lab::Report& report);
 

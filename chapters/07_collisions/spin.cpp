@@ -36,10 +36,12 @@ void lever_diagram(lab::Report& report) {
     d.box(seen(centre_a), 1.1, 0.8, left_turn, "A")
         .box(seen(centre_b), 1.0, 1.5, right_turn, "B");
     d.centre(seen(centre_a)).centre(seen(centre_b));
-    d.arrow(seen(centre_a), seen(Vector3(touch - centre_a)), chart::Quantity::plain, "r_A");
-    d.arrow(seen(centre_b), seen(Vector3(touch - centre_b)), chart::Quantity::plain, "r_B");
+    d.arrow(seen(centre_a), seen(Vector3(touch - centre_a)), chart::Quantity::plain);
+    d.arrow(seen(centre_b), seen(Vector3(touch - centre_b)), chart::Quantity::plain);
     d.arrow(seen(touch), seen(n, 0.55), chart::Quantity::momentum, "J");
     d.arrow(seen(touch), seen(n, -0.55), chart::Quantity::momentum, "−J");
+    d.note(seen(Vector3(0.5 * centre_a - 0.12 * v)), "lever of A");
+    d.note(seen(Vector3(0.5 * centre_b - 0.3 * x)), "lever of B");
     const auto turning = [&](const Vector3& centre, const Vector3& J) {
         const double side = (touch - centre).cross(J).z() > 0 ? 1 : -1;
         d.arc(seen(centre), 0.22, pi / 2 - side * 1.2, pi / 2 + side * 1.2,
@@ -54,8 +56,9 @@ void lever_diagram(lab::Report& report) {
 void cone_diagram(lab::Report& report) {
     chart::Diagrams d;
     d.title = "Inside the cone it sticks, outside it slides";
-    d.subtitle = "Back-spin, e = 0.5. Gold: the impulse; grey: the one that would stick.";
-    for (const double mu : {0.8, 0.2}) {
+    d.subtitle =
+        "A ball with back-spin. Gold: the impulse; the other arrow: the one that would stick.";
+    for (const double mu : {0.8, 0.1}) {
         const SpinningBall scene(mu);
         const Body before = scene.ball();
         Body floor = immovable_body();
@@ -68,7 +71,8 @@ void cone_diagram(lab::Report& report) {
         const double scale = 0.25, top = 1.75;
         one.wall({-1.6, 0}, {1.6, 0});
         one.dashed({{-mu * top, top}, {0, 0}, {mu * top, top}});
-        one.arrow({0, 0}, seen(stick, scale), chart::Quantity::plain, mu > 0.5 ? "" : "sticks");
+        one.arrow({0, 0}, seen(stick, scale), chart::Quantity::plain,
+                  mu > 0.5 ? "" : "would stick");
         one.arrow({0, 0}, seen(J, scale), chart::Quantity::momentum, "J");
         one.angle({0, 0}, 0.9, pi / 2 - std::atan(mu), pi / 2, "arctan μ");
         d.panels.push_back(one);

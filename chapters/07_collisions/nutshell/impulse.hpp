@@ -111,7 +111,7 @@ inline std::optional<Vector3> sliding_impulse(const Matrix3& K, const Vector3& u
         if (const auto J = slides(0)) return J;  // a ball: friction turns no direction
     for (const int looks : {32, 2048}) {         // thin rods have roots close together
         const double step = 2 * pi / looks;
-        for (int i = 0; i < looks; ++i) {  // from x to both sides in turn
+        for (int i = 0; i < looks + 2; ++i) {  // from x to both sides in turn, and past -x
             const double side = i % 2 ? -1 : 1;
             double from = side * (i / 2) * step, to = from + side * step;
             const bool sign = off(from) > 0;

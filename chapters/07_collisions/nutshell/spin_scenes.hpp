@@ -47,8 +47,8 @@ struct SpinningBall {
 // [/spinning_ball]
 
 // [falling_rod]
-/// A rod falls on its end, smooth unless said (scene S10): half length 0.5 m, radius 0.05 m, 30 degrees to the
-/// floor, 5 m/s down, restitution 1.
+/// A rod falls on its end, smooth unless said (scene S10): half length 0.5 m, radius 0.05 m, 30
+/// degrees to the floor, 5 m/s down, restitution 1.
 struct FallingRod {
     std::string name = "falling_rod";
     Capsule shape{0.5, 0.05};
