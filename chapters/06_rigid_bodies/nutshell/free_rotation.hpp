@@ -11,9 +11,22 @@ namespace nutshell {
 /// into the body, divide by the principal moments, turn back: R I0^-1 R^T L. Source: eq. (53*).
 /// @param inertia  principal moments [kg m^2]    @param L  [kg m^2/s], world axes
 inline Vector3 angular_velocity(const Vector3& inertia, const Quaternion& q, const Vector3& L) {
+    // exercise 6.8
     return rotate(q, rotate(inverse(q), L).cwiseQuotient(inertia));
+    // end 6.8
 }
 // [/angular_velocity]
+
+// [gyroscopic_term]
+/// How L changes per second as seen from the body [N m], while it stands still in the world:
+/// M x omega. Source: L. Euler, 1758.
+/// @param J  inverse principal moments [1/(kg m^2)]    @param M  L in body axes [kg m^2/s]
+[[gnu::always_inline]] inline Vector3 gyroscopic_term(const Vector3& J, const Vector3& M) {
+    // exercise 6.9
+    return M.cross(J.cwiseProduct(M));
+    // end 6.9
+}
+// [/gyroscopic_term]
 
 /// A 4-vector whose length is nearly one, nearer by one step of Newton's method: it collects an
 /// epsilon in every product.
@@ -65,6 +78,7 @@ inline void turn_about(const Vector3& inertia, Quaternion& q, Vector3& M, double
 /// @param q  changed    @param L  [kg m^2/s], world axes    @param dt  [s]
 [[gnu::flatten]] inline void split_rotation(const Vector3& inertia, Quaternion& q,
                                             const Vector3& L, double dt) {
+    // exercise 6.10
     Quaternion turned = trimmed(q);
     Vector3 M = rotate(inverse(turned), L);
     turn_about<0>(inertia, turned, M, dt / 2);
@@ -73,6 +87,7 @@ inline void turn_about(const Vector3& inertia, Quaternion& q, Vector3& M, double
     turn_about<1>(inertia, turned, M, dt / 2);
     turn_about<0>(inertia, turned, M, dt / 2);
     q = turned;
+    // end 6.10
 }
 // [/split_rotation]
 

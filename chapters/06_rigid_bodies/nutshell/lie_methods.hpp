@@ -83,14 +83,17 @@ inline Pinned unflat(const FlatPinned& y, Pinned like) {
 }
 
 /// q' = q (omega, 0)/2 and M' = M x omega + torque, all in body axes. Source: L. Euler, 1758.
-/// @param J  inverse principal moments    @param torque  [N m], world axes
+/// @param y  the 4-vector of the pose, then M, which is L in body axes [kg m^2/s]
+/// @param J  inverse principal moments [1/(kg m^2)]    @param torque  [N m], world axes
 inline FlatPinned rate_in_body(const FlatPinned& y, const Vector3& J, const Vector3& torque) {
+    // exercise 6.12
     const Quaternion q(Eigen::Vector4d(y.head<4>()));
     const Vector3 M = y.tail<3>(), omega = J.cwiseProduct(M);
     FlatPinned rate;
     rate << product(q, four_vector(omega / 2, 0)).coeffs(),
-        M.cross(omega) + rotate(inverse(q), torque);
+        gyroscopic_term(J, M) + rotate(inverse(q), torque);
     return rate;
+    // end 6.12
 }
 inline FlatPinned rate(const Pinned& body, const Wrench& push) {
     return rate_in_body(flat(body), body.inertia.cwiseInverse(), push.torque);

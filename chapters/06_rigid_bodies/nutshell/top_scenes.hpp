@@ -62,6 +62,15 @@ inline FreeBody wobbling_plate() {
 inline FreeBody fast_spin() {
     return {"fast_spin", {1, 2, 2.5}, {0, 0, 40 * pi}, 50, {1e-9, "rad", "round-off"}};
 }
+
+/// A throw that spins 20 times a second and wobbles: a step of 1/60 s turns it by two radians.
+inline FreeBody fast_wobble() {
+    return {"fast_wobble",
+            {1, 2, 2.5},
+            {6, 6, 40 * pi},
+            2,
+            {1.0 / 960, "rad", "one pixel at 960 pixels"}};
+}
 // [/free_body]
 
 // [heavy_top_scene]
