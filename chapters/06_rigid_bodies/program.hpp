@@ -9,6 +9,11 @@ namespace nutshell {
 void pendulum(lab::Report& report);
 
 // 6A: free bodies and tops
+void free_bodies(lab::Report& report);
+void free_study(lab::Report& report);
+void heavy_tops(lab::Report& report);
+void thrown(lab::Report& report);
+void many_bodies(lab::Report& report);
 
 // both
 void pictures(lab::Report& report);

@@ -7,6 +7,11 @@ int main(int argc, char** argv) {
                                       // 6: torque, inertia, assembling
                                       nutshell::pendulum(report);
                                       // 6A: free bodies and tops
+                                      nutshell::free_bodies(report);
+                                      nutshell::free_study(report);
+                                      nutshell::heavy_tops(report);
+                                      nutshell::thrown(report);
+                                      nutshell::many_bodies(report);
                                       // both
                                       nutshell::pictures(report);
                                   });

@@ -64,8 +64,8 @@ inline constexpr double longest_turn = 0.3;
 template <Turns State>
 int substeps(const State& body, double dt) {
     require_positive(dt, "substeps: the step dt [s]");
-    return std::max(1, static_cast<int>(
-                           std::ceil(angular_velocity(body).norm() * dt / longest_turn)));
+    return std::max(
+        1, static_cast<int>(std::ceil(angular_velocity(body).norm() * dt / longest_turn)));
 }
 // [/substeps]
 

@@ -138,6 +138,20 @@ inline HeavyTopScene steady_top(std::size_t which) {
     body.angular_momentum = L3 * axis + top.across * rate * (up - axis.y() * axis);
     return {which == 0 ? "slow_precession" : "fast_precession", 0.5, top, body, 10};
 }
+
+/// The same top almost upright, spinning about its axis: it sleeps, or it falls.
+struct SleepingTop {
+    Top top = standard_top();
+    Pinned start;
+
+    /// @param L3  along its axis [kg m^2/s]    @param lean  from upright [rad]
+    SleepingTop(double L3, double lean) : start(leaning(top, lean)) {
+        start.angular_momentum = L3 * rotate(start.orientation, {0, 0, 1});
+    }
+    Wrench operator()(const Pinned& body, double) const {
+        return {Vector3::Zero(), weight_torque(top, rotate(body.orientation, {0, 0, 1}))};
+    }
+};
 // [/heavy_top_scene]
 
 // [thrown_wrench]
