@@ -163,7 +163,7 @@ void failures(lab::Report& report) {
     chart.x = {"steps a second", chart::Scale::logarithmic};
     chart.y = {"largest error [rad]", chart::Scale::logarithmic};
     chart.guides = {-4};
-    chart.tolerance = {scene.need.tolerance, scene.need.reason};
+    chart.tolerance = {scene.need.tolerance, "a hundredth of a pixel"};
     each(std::tuple{methods::kick_constant_kick, methods::lie_rk4, methods::kick_magnus_kick},
          [&](const auto& method) {
              chart::Series series{method.name};

@@ -76,7 +76,9 @@ void what_a_top_keeps(lab::Report& report) {
     const HeavyTopScene scene = nodding_top();
     chart::Figure figure;
     figure.title = "What a nodding top keeps";
-    figure.subtitle = "Scene S8, steps of 1/60 s; changes relative to the start.";
+    figure.subtitle =
+        "Scene S8, steps of 1/60 s; changes relative to the start. A method that keeps something "
+        "to the last bit has no line there.";
     figure.columns = 3;
     const std::array<const char*, 3> titles{"energy", "L about the vertical",
                                             "L about its own axis"};
@@ -103,7 +105,7 @@ void what_a_top_keeps(lab::Report& report) {
                      largest = std::max(largest, change);
                      if (n++ % 3 == 0) series.x.push_back(t), series.y.push_back(change);
                  });
-                 panel.series.push_back(series);
+                 if (largest > 0) panel.series.push_back(series);  // else kept to the bit
                  report.number("top_keeps." + method.key() + "." +
                                    std::string(i == 0   ? "energy"
                                                : i == 1 ? "vertical"

@@ -14,6 +14,7 @@ void free_study(lab::Report& report);
 void heavy_tops(lab::Report& report);
 void thrown(lab::Report& report);
 void many_bodies(lab::Report& report);
+void top_pictures(lab::Report& report);
 
 // both
 void pictures(lab::Report& report);

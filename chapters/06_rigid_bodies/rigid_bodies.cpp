@@ -12,6 +12,7 @@ int main(int argc, char** argv) {
                                       nutshell::heavy_tops(report);
                                       nutshell::thrown(report);
                                       nutshell::many_bodies(report);
+                                      nutshell::top_pictures(report);
                                       // both
                                       nutshell::pictures(report);
                                   });

@@ -40,7 +40,11 @@ struct FreeBody {
 
 /// Scene S7: spun almost about its middle axis, it flips every 7.0 s.
 inline FreeBody near_middle_axis() {
-    return {"near_middle_axis", {1, 2, 2.5}, {0.05, 4, 0.05}, 100, {1e-5, "rad", "S7's bar"}};
+    return {"near_middle_axis",
+            {1, 2, 2.5},
+            {0.05, 4, 0.05},
+            100,
+            {1e-5, "rad", "a hundredth of a pixel: a hundred such flights add up to one"}};
 }
 
 /// The body on which the source's step never flips, and the truth does at 4.058030 s and then
@@ -48,6 +52,16 @@ inline FreeBody near_middle_axis() {
 inline FreeBody flip() {
     return {"flip", {1, 2, 3}, {0.1, 2, 0.1}, 30, {1.0 / 960, "rad", "one pixel at 960 pixels"}};
 }
+
+/// A handle that has the flip's moments: two thin rods, the bar along the body's x, the stem from
+/// its middle along y. They are as 1 to 2 to 3 if r^3 (2 + 6/(1 + r)) = 1, r the stem's length
+/// over the bar's.
+struct Handle {
+    double bar = 1.8;  ///< [m]
+    double stem = 0.554697 * bar;
+    /// Of the bar's middle, seen from the centre of mass, along y [m].
+    double foot() const { return -stem * stem / 2 / (bar + stem); }
+};
 
 /// A thrown plate, symmetric, that wobbles: its axis goes round L.
 inline FreeBody wobbling_plate() {
