@@ -1,4 +1,5 @@
 // What turning points and composing poses costs, from one to a million, and when a matrix pays.
+#include <memory>
 #include <nutshell/chart/chart.hpp>
 #include <nutshell/lab/run.hpp>
 #include <nutshell/rotations.hpp>
@@ -29,6 +30,8 @@ std::array<double, N> least(std::size_t items, const std::array<std::function<vo
     return best;
 }
 
+using Loops = std::array<std::function<void()>, 3>;
+
 struct Arrays {
     std::vector<std::vector<double>> all;
     Arrays(int count, std::size_t n) {
@@ -46,82 +49,100 @@ struct Arrays {
     }
 };
 
-chart::Chart turning(lab::Report& report) {
-    lab::Table data{{"points", "matrix_ns", "four_vector_ns", "floor_ns"}, {}};
-    chart::Chart chart;
-    chart.title = "one pose turns many points";
-    chart.x = {"points", chart::Scale::logarithmic};
-    chart.y = {"time per point [ns]", chart::Scale::logarithmic};
-    chart::Series matrix{"matrix, made once"}, four{"4-vector"}, floor{"floor: in and out"};
-    matrix.look = matrix_look, four.look = four_look, floor.draw = chart::Draw::theory;
+/// What a panel shows: the time of one `item` by three ways.
+struct Measured {
+    const char *key, *item, *title;
+    std::array<chart::Series, 3> ways;
+    std::array<const char*, 3> keys;
+};
+
+/// Measures it from one item to a million: a panel, a CSV file, and the numbers in the cache and from
+/// memory. `on(n)` makes n items and hands over the three loops.
+template <class On>
+chart::Chart panel(lab::Report& report, Measured what, const On& on) {
+    const std::string item = what.item;
+    lab::Table data{{item + "s"}, {}};
+    for (const char* key : what.keys) data.columns.push_back(std::string(key) + "_ns");
     for (const std::size_t n : numbers) {
-        Arrays arrays(6, n);
-        const auto best =
-            least<3>(n, {[&] {
-                             const Eigen::Matrix<double, 3, 3, Eigen::RowMajor> r =
-                                 rotation_matrix(some_pose);
-                             wide::turn_by_matrix(n, arrays.axes(3), arrays.axes(0), r.data());
-                         },
-                         [&] {
-                             wide::turn_by_four_vector(n, arrays.axes(3), arrays.axes(0),
-                                                       some_pose.coeffs().data());
-                         },
-                         [&] { wide::stream_points(n, arrays.axes(3), arrays.axes(0)); }});
-        matrix.x.push_back(double(n)), four.x.push_back(double(n)), floor.x.push_back(double(n));
-        matrix.y.push_back(best[0]), four.y.push_back(best[1]), floor.y.push_back(best[2]);
-        data.add({std::to_string(n), lab::exact_digits(best[0]), lab::exact_digits(best[1]),
-                  lab::exact_digits(best[2])});
-        if (n == 1000 || n == 1'000'000) {
-            const std::string key = n == 1000 ? "cost.turn_cache." : "cost.turn_memory.";
-            report.number(key + "matrix", best[0], "ns");
-            report.number(key + "four_vector", best[1], "ns");
-            report.number(key + "floor", best[2], "ns");
-            report.number(key + "ratio", best[1] / best[0]);
-            report.say("turning " + std::to_string(n) + " points: matrix " +
-                       lab::rounded(best[0]) + " ns, 4-vector " + lab::rounded(best[1]) +
-                       " ns, floor " + lab::rounded(best[2]) + " ns a point");
+        const std::array<double, 3> best = least<3>(n, on(n));
+        std::vector<std::string> row{std::to_string(n)};
+        for (std::size_t i = 0; i < 3; ++i) {
+            what.ways[i].x.push_back(static_cast<double>(n)), what.ways[i].y.push_back(best[i]);
+            row.push_back(lab::exact_digits(best[i]));
         }
+        data.add(row);
+        if (n != 1000 && n != 1'000'000) continue;
+        const std::string key =
+            std::string("cost.") + what.key + (n == 1000 ? "_cache." : "_memory.");
+        std::string words = std::to_string(n) + " " + item + "s:";
+        for (std::size_t i = 0; i < 3; ++i) {
+            report.number(key + what.keys[i], best[i], "ns");
+            words += " " + what.ways[i].name + " " + lab::rounded(best[i]) + " ns";
+        }
+        report.number(key + "ratio", std::max(best[0], best[1]) / std::min(best[0], best[1]));
+        report.say(words);
     }
-    chart.series = {matrix, four, floor};
-    report.data("cost_turning.csv", data);
+    report.data("cost_" + std::string(what.key) + ".csv", data);
+    chart::Chart chart;
+    chart.title = what.title;
+    chart.x = {item + "s", chart::Scale::logarithmic};
+    chart.y = {"time per " + item + " [ns]", chart::Scale::logarithmic};
+    chart.series.assign(what.ways.begin(), what.ways.end());
     return chart;
 }
 
+chart::Series line(const char* name, const Look& look) {
+    chart::Series series{name};
+    series.look = look;
+    return series;
+}
+
+chart::Chart turning(lab::Report& report) {
+    chart::Series floor{"floor: in and out"};
+    floor.draw = chart::Draw::theory;
+    return panel(report,
+                 {"turn",
+                  "point",
+                  "one pose turns many points",
+                  {line("matrix, made once", matrix_look), line("4-vector", four_look), floor},
+                  {"matrix", "four_vector", "floor"}},
+                 [](std::size_t n) -> Loops {
+                     const auto points = std::make_shared<Arrays>(6, n);
+                     return {[=] {
+                                 const Eigen::Matrix<double, 3, 3, Eigen::RowMajor> r =
+                                     rotation_matrix(some_pose);
+                                 wide::turn_by_matrix(n, points->axes(3), points->axes(0),
+                                                      r.data());
+                             },
+                             [=] {
+                                 wide::turn_by_four_vector(n, points->axes(3), points->axes(0),
+                                                           some_pose.coeffs().data());
+                             },
+                             [=] { wide::stream_points(n, points->axes(3), points->axes(0)); }};
+                 });
+}
+
 chart::Chart composing(lab::Report& report) {
-    lab::Table data{{"poses", "matrix_ns", "four_vector_ns", "unit_four_vector_ns"}, {}};
-    chart::Chart chart;
-    chart.title = "each pose is turned by its own turn";
-    chart.x = {"poses", chart::Scale::logarithmic};
-    chart.y = {"time per pose [ns]", chart::Scale::logarithmic};
-    chart::Series matrix{"matrix"}, four{"4-vector"}, unit{"4-vector, normalised"};
-    matrix.look = matrix_look, four.look = four_look, unit.look = unit_look;
-    for (const std::size_t n : numbers) {
-        // turns by no angle at all: the numbers stay as they are however often it is timed
-        Arrays fours(8, n), matrices(18, n);
-        for (int i = 0; i < 4; ++i) std::fill_n(fours[4 + i], n, i == 3 ? 1.0 : 0.0);
-        for (int i = 0; i < 9; ++i) std::fill_n(matrices[9 + i], n, i % 4 == 0 ? 1.0 : 0.0);
-        const auto best = least<3>(
-            n, {[&] { wide::compose_matrices(n, matrices.matrices(0), matrices.matrices(9)); },
-                [&] { wide::compose_four_vectors(n, fours.fours(0), fours.fours(4)); },
-                [&] { wide::compose_unit_four_vectors(n, fours.fours(0), fours.fours(4)); }});
-        matrix.x.push_back(double(n)), four.x.push_back(double(n)), unit.x.push_back(double(n));
-        matrix.y.push_back(best[0]), four.y.push_back(best[1]), unit.y.push_back(best[2]);
-        data.add({std::to_string(n), lab::exact_digits(best[0]), lab::exact_digits(best[1]),
-                  lab::exact_digits(best[2])});
-        if (n == 1000 || n == 1'000'000) {
-            const std::string key = n == 1000 ? "cost.compose_cache." : "cost.compose_memory.";
-            report.number(key + "matrix", best[0], "ns");
-            report.number(key + "four_vector", best[1], "ns");
-            report.number(key + "unit", best[2], "ns");
-            report.number(key + "ratio", best[0] / best[1]);
-            report.say("composing " + std::to_string(n) + " poses: matrix " +
-                       lab::rounded(best[0]) + " ns, 4-vector " + lab::rounded(best[1]) +
-                       " ns, normalised " + lab::rounded(best[2]) + " ns a pose");
-        }
-    }
-    chart.series = {matrix, four, unit};
-    report.data("cost_composing.csv", data);
-    return chart;
+    return panel(
+        report,
+        {"compose",
+         "pose",
+         "each pose is turned by its own turn",
+         {line("matrix", matrix_look), line("4-vector", four_look),
+          line("4-vector, normalised", unit_look)},
+         {"matrix", "four_vector", "unit"}},
+        [](std::size_t n) -> Loops {
+            // turns by no angle at all: the numbers stay as they are however often it is timed
+            const auto fours = std::make_shared<Arrays>(8, n),
+                       matrices = std::make_shared<Arrays>(18, n);
+            for (int i = 0; i < 4; ++i) std::fill_n((*fours)[4 + i], n, i == 3 ? 1.0 : 0.0);
+            for (int i = 0; i < 9; ++i)
+                std::fill_n((*matrices)[9 + i], n, i % 4 == 0 ? 1.0 : 0.0);
+            return {
+                [=] { wide::compose_matrices(n, matrices->matrices(0), matrices->matrices(9)); },
+                [=] { wide::compose_four_vectors(n, fours->fours(0), fours->fours(4)); },
+                [=] { wide::compose_unit_four_vectors(n, fours->fours(0), fours->fours(4)); }};
+        });
 }
 
 /// A pose that changes every time, with k points on it: rotate each, or make a matrix first.

@@ -50,6 +50,21 @@ inline void add_cube(pic::Drawing& drawing, const Matrix3& map, const Vector3& a
         }
 }
 
+/// The twelve edges of the cube turned by `q`: what is exact, round what should be.
+inline void add_frame(pic::Drawing& drawing, const Quaternion& q) {
+    for (int axis = 0; axis < 3; ++axis)
+        for (const double u : {-0.5, 0.5})
+            for (const double v : {-0.5, 0.5}) {
+                Vector3 from = Vector3::Zero();
+                from[axis] = -0.5, from[(axis + 1) % 3] = u, from[(axis + 2) % 3] = v;
+                const Vector3 to = from + Vector3::Unit(axis);
+                drawing.add(pic::Rod{.from = rotate(q, from),
+                                     .to = rotate(q, to),
+                                     .radius = 0.012,
+                                     .colour = pic::palette::ink});
+            }
+}
+
 /// A circle of radius r about `axis` through `centre`, from one angle to another [rad]; angle 0
 /// is in the direction of `zero`, which is made perpendicular to the axis.
 inline std::vector<Vector3> arc(const Vector3& centre, const Vector3& axis, const Vector3& zero,

@@ -1,8 +1,6 @@
 // The pictures of chapter 4.
-#include <nutshell/chart/diagram.hpp>
 #include <nutshell/live/stills.hpp>
 #include <nutshell/picture/picture.hpp>
-#include <nutshell/reflections.hpp>
 #include "drawings.hpp"
 #include "printed.hpp"
 #include "program.hpp"
@@ -106,59 +104,6 @@ void printed_picture(lab::Report& report) {
     });
 }
 
-/// The outline of a letter F after some mirrors: a mirror image can be told from a turned one.
-std::vector<chart::Place> letter(const std::vector<Vector3>& mirrors) {
-    std::vector<chart::Place> corners;
-    for (Vector3 p : {Vector3(1.0, 0.10, 0),
-                      {1.9, 0.10, 0},
-                      {1.9, 0.62, 0},
-                      {1.75, 0.62, 0},
-                      {1.75, 0.26, 0},
-                      {1.52, 0.26, 0},
-                      {1.52, 0.5, 0},
-                      {1.37, 0.5, 0},
-                      {1.37, 0.26, 0},
-                      {1.0, 0.26, 0}}) {
-        for (const Vector3& mirror : mirrors) p = reflected(p, mirror);
-        corners.push_back({p.x(), p.y()});
-    }
-    return corners;
-}
-
-/// Two mirrors seen along the line in which they meet, the first at `at`, the second `between`
-/// further [rad].
-chart::Diagram two_mirrors_diagram(double at, double between, const char* title) {
-    const auto place = [](double r, double angle) {
-        return chart::Place{r * std::cos(angle), r * std::sin(angle)};
-    };
-    const Vector3 a = turned(y_axis, z_axis, at), b = turned(a, z_axis, between);
-    chart::Diagram d;
-    d.title = title;
-    d.polygon(letter({}));
-    d.polygon(letter({a})).as_ghost();
-    d.polygon(letter({a, b}));
-    d.wall(place(2.15, at), place(0, 0)), d.wall(place(2.15, at + between), place(0, 0));
-    d.note(place(2.35, at), "1st"), d.note(place(2.35, at + between), "2nd");
-    d.angle({0, 0}, 0.5, at, at + between, "θ/2");
-    const double foot = std::atan2(0.10, 1.0);
-    d.arc({0, 0}, 0.95, foot, foot + 2 * between, chart::Quantity::angular_velocity, "θ");
-    return d;
-}
-
-void mirrors_diagram(lab::Report& report) {
-    const double between = 40 / degrees;
-    chart::Diagrams both;
-    both.title = "Two mirrors make a turn, by twice the angle between them";
-    both.subtitle =
-        "Pale: the letter after the first mirror. Only the angle between the mirrors counts.";
-    both.panels = {two_mirrors_diagram(30 / degrees, between, "mirrors 40° apart: a turn by 80°"),
-                   two_mirrors_diagram(42 / degrees, between, "both turned on: the same turn")};
-    chart::write_svg(both, report.path("mirrors.svg"));
-    report.number("mirrors.between", between * degrees, "degrees");
-    const Vector3 a = turned(y_axis, z_axis, 0.3), b = turned(a, z_axis, between);
-    report.number("mirrors.turn", logarithm(two_mirrors(a, b)).norm() * degrees, "degrees");
-}
-
 }  // namespace
 
 void pictures(lab::Report& report) {
@@ -166,7 +111,6 @@ void pictures(lab::Report& report) {
     question_picture(report);
     along_and_across_picture(report);
     printed_picture(report);
-    mirrors_diagram(report);
 }
 
 }  // namespace nutshell

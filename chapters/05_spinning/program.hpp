@@ -7,6 +7,7 @@ namespace nutshell {
 
 void velocity(lab::Report& report);
 void steady_spin(lab::Report& report);
+void ten_turns(lab::Report& report);
 void engines(lab::Report& report);
 void coning(lab::Report& report);
 void wagon(lab::Report& report);

@@ -1,6 +1,6 @@
 // Steady spins: how fast points are, what each method loses, what engines lose, what eyes lose.
 #include <nutshell/chart/chart.hpp>
-#include <nutshell/lab/run.hpp>
+#include <nutshell/lab/need_chart.hpp>
 #include <nutshell/spinning_limits.hpp>
 #include <nutshell/spinning_methods.hpp>
 #include <nutshell/spinning_scenes.hpp>
@@ -152,6 +152,19 @@ void steady_spin(lab::Report& report) {
     report.number("rk4.limit_law", rk4_pose_limit, "rad");
     report.say("RK4 is stable up to omega dt = " + lab::rounded(limit, "%.4f") +
                "; 4 sqrt 2 = " + lab::rounded(rk4_pose_limit, "%.4f"));
+}
+
+/// What ten turns within a pixel cost each method.
+void ten_turns(lab::Report& report) {
+    const SpinningWheel wheel;
+    report.heading("Spinning wheel: what ten turns need");
+    const auto least =
+        lab::least_of_each(wheel, lab::entries<SpinningWheel>(spinning_methods), 1, 100'000);
+    lab::report_least(report, "wheel.ten", least, wheel.need);
+    chart::Ranking lead = lab::need_chart(least, wheel.need, "Ten turns at a steady speed.",
+                                          "A steady spin needs one step, if the step turns");
+    lead.columns.front() = "times ω is asked for";
+    chart::write_svg(lead, report.path("wheel_need.svg"));
 }
 
 void engines(lab::Report& report) {

@@ -7,29 +7,11 @@
 #include "check.hpp"
 #include "one_pass.hpp"
 
-// The same source twice more: this file is compiled for every machine, at -O2; the second copy is allowed
-// AVX2. (Everything it includes has been included above, outside the namespaces.)
 #define SHARED                                                                           \
     using ::nutshell::wide::Axes, ::nutshell::wide::ConstAxes, ::nutshell::wide::Medium, \
         ::nutshell::wide::most_step
-#define INDEPENDENT
-#define NUTSHELL_WIDE
-namespace without_avx2::nutshell::wide {
-SHARED;
-}
-namespace without_avx2 {
-#include "../../chapters/03_forces/kernels/wide.cpp"
-}
-#undef NUTSHELL_WIDE
-#if defined(__x86_64__) || defined(__i386__)
-#define NUTSHELL_WIDE __attribute__((target("avx2")))
-namespace with_avx2::nutshell::wide {
-SHARED;
-}
-namespace with_avx2 {
-#include "../../chapters/03_forces/kernels/wide.cpp"
-}
-#endif
+#define KERNEL "../chapters/03_forces/kernels/wide.cpp"
+#include "three_widths.hpp"
 
 using namespace nutshell;
 

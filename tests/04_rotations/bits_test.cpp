@@ -4,28 +4,11 @@
 #include <nutshell/wide_turns.hpp>
 #include "group.hpp"
 
-// The source of the wide loops twice more: compiled for every machine, and with AVX2.
 #define SHARED                                                                                \
     using ::nutshell::wide::Axes, ::nutshell::wide::ConstAxes, ::nutshell::wide::FourVectors, \
         ::nutshell::wide::Matrices
-#define INDEPENDENT
-#define NUTSHELL_WIDE
-namespace without_avx2::nutshell::wide {
-SHARED;
-}
-namespace without_avx2 {
-#include "../../chapters/04_rotations/kernels/turns.cpp"
-}
-#undef NUTSHELL_WIDE
-#if defined(__x86_64__) || defined(__i386__)
-#define NUTSHELL_WIDE __attribute__((target("avx2")))
-namespace with_avx2::nutshell::wide {
-SHARED;
-}
-namespace with_avx2 {
-#include "../../chapters/04_rotations/kernels/turns.cpp"
-}
-#endif
+#define KERNEL "../chapters/04_rotations/kernels/turns.cpp"
+#include "three_widths.hpp"
 
 using namespace nutshell;
 

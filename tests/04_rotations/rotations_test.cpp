@@ -128,6 +128,29 @@ TEST_CASE("bad input is refused in words") {
     CHECK(apart(normalised(four_vector({0, 3, 0}, 4)), four_vector({0, 0.6, 0}, 0.8)) <= identity);
 }
 
+TEST_CASE("past the door nothing is checked: what is not a number stays none, and never looks like a pose") {
+    const Quaternion good = quaternion_about({1, 2, 3}, 0.9);
+    for (int part = 0; part < 4; ++part) {
+        Quaternion bad = good;
+        bad.coeffs()[part] = std::nan("");
+        CHECK(rotation_matrix(bad).hasNaN());
+        CHECK(rotate(bad, {0.3, -1.1, 0.7}).hasNaN());
+        CHECK(product(bad, good).coeffs().hasNaN());
+        CHECK(product(good, bad).coeffs().hasNaN());
+        CHECK(small_turn(bad, {0.1, 0.2, 0.3}).coeffs().hasNaN());
+        CHECK(logarithm(bad).hasNaN());
+        CHECK(slerp(bad, good, 0.3).coeffs().hasNaN());
+        CHECK(slerp(good, bad, 0.3).coeffs().hasNaN());
+        CHECK(nlerp(good, bad, 0.3).coeffs().hasNaN());
+        CHECK(std::isnan(angle_between(good, bad)));
+        if (part == 3) continue;
+        Vector3 vector(0.1, 0.2, 0.3);
+        vector[part] = std::nan("");
+        CHECK(exponential(vector).coeffs().hasNaN());
+        CHECK(small_turn(good, vector).coeffs().hasNaN());
+    }
+}
+
 TEST_CASE("a 4-vector of length 1.1 makes a matrix that is no rotation (E15)") {
     // (28*) of a longer 4-vector is s R + (s - 1), s the squared length: 2 s - 1 along the axis
     const double s = 1.1 * 1.1, along = (2 * s - 1) * (2 * s - 1) - 1;

@@ -1,6 +1,6 @@
 // The methods of chapter 5 in a form the lab runs, and errors at several steps: shared by this room.
 #pragma once
-#include <nutshell/lab/run.hpp>
+#include <nutshell/lab/study.hpp>
 #include <nutshell/spinning_limits.hpp>
 #include <nutshell/spinning_scenes.hpp>
 #include "check.hpp"

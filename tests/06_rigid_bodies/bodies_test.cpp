@@ -6,28 +6,11 @@
 #include <nutshell/rotation_methods.hpp>
 #include "check.hpp"
 
-// The same source twice more: without AVX2, and where the processor has it, with it.
-#define INDEPENDENT
-#define NUTSHELL_WIDE
 #define SHARED                                                                                \
     using ::nutshell::wide::Axes, ::nutshell::wide::ConstAxes, ::nutshell::wide::FourVectors, \
         ::nutshell::wide::BodyArrays
-namespace without_avx2::nutshell::wide {
-SHARED;
-}
-namespace without_avx2 {
-#include "../../chapters/06_rigid_bodies/kernels/bodies.cpp"
-}
-#undef NUTSHELL_WIDE
-#if defined(__x86_64__) || defined(__i386__)
-#define NUTSHELL_WIDE __attribute__((target("avx2")))
-namespace with_avx2::nutshell::wide {
-SHARED;
-}
-namespace with_avx2 {
-#include "../../chapters/06_rigid_bodies/kernels/bodies.cpp"
-}
-#endif
+#define KERNEL "../chapters/06_rigid_bodies/kernels/bodies.cpp"
+#include "three_widths.hpp"
 
 using namespace nutshell;
 

@@ -64,8 +64,7 @@ class LiveGrowing : public live::Figure {
         const Quaternion exact = quaternion_about(axis_, 2 * pi * time());
         pic::Drawing drawing;
         drawing.stage({{0, 0, 0}, 1.25}).no_ground();
-        add_cube(drawing, rotation_matrix(exact), {0, 0, 0}, pic::palette::steel,
-                 pic::Look::ghost);
+        add_frame(drawing, exact);
         add_cube(drawing, rotation_matrix(q_), {0, 0, 0},
                  choice_ == 2 ? pic::palette::symplectic : pic::palette::explicit_euler);
         return drawing;

@@ -1,6 +1,6 @@
 // Chapter 4 · Rotations: as a matrix, as an axis with an angle, as a 4-vector; one after another.
-// Right-handed axes, y up. A turn by a positive angle is counter-clockwise for whoever the axis
-// points at: +90 degrees about z takes x to y. Points are turned, not axes ("active").
+// Right-handed, y up; +90 degrees about z takes x to y; points are turned, not axes ("active").
+// Only functions that say @throws look at their input; in the others NaN in gives NaN out.
 #pragma once
 #include <cmath>
 #include <nutshell/require.hpp>
@@ -189,7 +189,7 @@ inline Quaternion exponential(const Vector3& a) {
 
 // [logarithm]
 /// The rotation vector [rad] of q, the shorter way round: its length is at most pi, and q and -q
-/// have the same. The inverse of `exponential`. The length of q does not matter. Eq. (4.g).
+/// have the same. The inverse of `exponential`. q may have any length but zero. Eq. (4.g).
 inline Vector3 logarithm(const Quaternion& q) {
     // exercise 4.7
     const double sign = q.w() < 0 ? -1 : 1;

@@ -44,7 +44,7 @@ struct FirstOrderLag {
                   "The 4-vectors are half of the turn apart: double the arc tangent.",
                   [](double theta) -> double { return theta - std::atan(theta / 2); }},
                  {"the tangent of the whole", "classic: half the angle forgotten",
-                  "The prediction is more than twice too large.",
+                  "For small steps the prediction is four times too large.",
                   "The step is half as long as theta: its tangent is theta/2.",
                   [](double theta) -> double { return theta - std::atan(theta); }},
                  {"the sine for the tangent", "classic",

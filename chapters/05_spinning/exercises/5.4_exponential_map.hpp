@@ -44,7 +44,8 @@ struct ExponentialMap {
                           .normalized();
                   }},
                  {"three angles plus omega dt", "classic: Euler angles as if they were positions",
-                  "Fine while the plane is level; in a steep climb it tumbles.",
+                  "Fine while the plane flies level along z; when it flies along x, what should "
+                  "roll it pitches it.",
                   "You add the parts of omega dt to yaw, pitch and roll. Their axes are not the "
                   "world's, nor at right angles.",
                   [](const Quaternion& q, const auto& spin, double t, double dt) -> Quaternion {

@@ -43,7 +43,7 @@ struct Magnus4 {
                       return with(q, spin, t, dt, std::sqrt(3.0) / 6, -std::sqrt(3.0) / 12);
                   }},
                  {"no cross product", "classic: a mean of angular velocities",
-                  "The same as the midpoint for twice the looks; MuJoCo's RK4 does this.",
+                  "Twice the looks of the midpoint method, and no higher an order.",
                   "You turn by the mean. Turns do not commute, and that costs two orders.",
                   [](const Quaternion& q, const auto& spin, double t, double dt) -> Quaternion {
                       return with(q, spin, t, dt, std::sqrt(3.0) / 6, 0);
