@@ -14,38 +14,24 @@ namespace {
 
 using Path = std::vector<Vector3>;
 
-/// Positions after every `every`-th step.
 template <class Scene, class Method>
-Path path(const Scene& scene, const Method& method, long steps, long every = 1) {
+Path path(const Scene& scene, const Method& method, long steps) {
     Path points;
-    long n = 0;
-    lab::run(scene, method, steps, [&](const PointMass& body, double) {
-        if (n++ % every == 0) points.push_back(body.position);
-    });
-    return points;
-}
-
-template <class Scene>
-Path exact_path(const Scene& scene, long pieces) {
-    Path points;
-    for (long n = 0; n <= pieces; ++n)
-        points.push_back(
-            scene.exact(scene.duration * static_cast<double>(n) / static_cast<double>(pieces))
-                .position);
+    for (const PointMass& body : lab::states_of(scene, method, steps))
+        points.push_back(body.position);
     return points;
 }
 
 void straight_line_picture(lab::Report& report) {
     const StraightLine scene;
-    const pic::Note note{
-        report.command(),
-        "straight line",
-        "Verlet",
-        "0.5 s",
-        {{"largest error", lab::measure(scene, methods::verlet, 8).max_error, "m"}}};
+    const double dt = 0.5;
+    const long steps = lab::steps_of(scene.duration, dt);
+    const auto note = pic::note_of(
+        report.command(), scene, methods::verlet, dt,
+        {{"largest error", lab::measure(scene, methods::verlet, steps).max_error, "m"}});
     pic::save(report.path("straight_line.png"), note, [&]() -> pic::Sheet {
         pic::Drawing drawing;
-        pic::add(drawing, pic::Stroboscope{.computed = path(scene, methods::verlet, 8),
+        pic::add(drawing, pic::Stroboscope{.computed = path(scene, methods::verlet, steps),
                                            .exact = {},
                                            .exact_path = {},
                                            .radius = 0.22});
@@ -53,7 +39,7 @@ void straight_line_picture(lab::Report& report) {
                                .vector = scene.start.velocity * 0.8,
                                .label = "v"});
         drawing.title("No force: the same distance in the same time")
-            .caption("an image every 0.5 s");
+            .caption("an image every " + lab::rounded(dt) + " s");
         return pic::Shot{drawing, pic::fit(drawing, {0.2, 0.35, 1})};
     });
 }
@@ -62,7 +48,8 @@ void cover(lab::Report& report) {
     const long steps_an_orbit = 80;
     const double orbits_drawn = 26;
     const Planet scene = Planet::for_orbits(orbits_drawn);
-    const pic::Note note{report.command(), "planet, e = 0.6", "Verlet", "1/80 orbit", {}};
+    const auto note =
+        pic::note_of(report.command(), scene, methods::verlet, 2 * pi / steps_an_orbit);
     pic::save(report.path("cover.png"), note, [&]() -> pic::Sheet {
         const Path points =
             path(scene, methods::verlet, static_cast<long>(orbits_drawn) * steps_an_orbit);

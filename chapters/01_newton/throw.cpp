@@ -12,11 +12,11 @@ void straight_line(lab::Report& report) {
                    " s in 100 steps");
     lab::Table table{{"method", "largest error [m]"}, {}};
     double largest = 0;
-    for (const auto& method : lab::entries<StraightLine>(newton_methods)) {
-        const double error = method.measure(scene, 100).max_error;
+    each(newton_methods, [&](const auto& method) {
+        const double error = lab::measure(scene, method, 100).max_error;
         largest = std::max(largest, error);
-        table.add({method.name, lab::rounded(error)});
-    }
+        table.add({method.name, error});
+    });
     report.print(table);
     report.number("line.largest_error", largest, "m");
 
@@ -41,14 +41,16 @@ void thrown_ball(lab::Report& report) {
     const double dt = 1.0 / 60;
     const long steps = lab::steps_of(scene.duration, dt);
     report.heading("Thrown ball: " + lab::rounded(scene.duration) + " s in steps of 1/60 s");
-    lab::Table table{
-        {"method", "computed - exact, up [m]", "the law says [m]", "off the law by [m]"}, {}};
+    lab::Table table{{"method",
+                      {"computed - exact, up [m]", "%.6f"},
+                      {"the law says [m]", "%.6f"},
+                      "off the law by [m]"},
+                     {}};
     const auto compare = [&](const auto& method, Kicked law) {
         const double error =
             (lab::run(scene, method, steps).position - scene.exact(scene.duration).position).y();
         const double predicted = throw_error(law, gravity, scene.duration, dt).y();
-        table.add({method.name, lab::rounded(error, "%.6f"), lab::rounded(predicted, "%.6f"),
-                   lab::rounded(std::abs(error - predicted))});
+        table.add({method.name, error, predicted, std::abs(error - predicted)});
         report.number("throw." + method.key() + ".error", error, "m");
         report.number("throw." + method.key() + ".off_the_law", std::abs(error - predicted), "m");
     };
@@ -57,19 +59,14 @@ void thrown_ball(lab::Report& report) {
     compare(methods::verlet, Kicked::half_and_half);
     report.print(table);
 
-    const auto methods = lab::entries<ThrownBall>(newton_methods);
-    const auto least = lab::least_of_each(scene, methods);
-    lab::report_least(report, "throw", least, scene.need);
     report.number("throw.duration", scene.duration, "s");
-    const auto curves =
-        lab::work_precision(scene, methods, {3, 6, 12, 30, 90, 180, 432, 1000, 3000, 10000});
-    lab::draw_study(report,
-                    {"throw",
-                     "Thrown ball, 3 s, constant force.",
-                     "Both Eulers fall by ten for ten times the work",
-                     {-1},
-                     "Verlet is exact at any step: two evaluations will do"},
-                    curves, least, scene.need);
+    lab::study(report, scene, newton_methods,
+               {.key = "throw",
+                .scene = "Thrown ball, " + lab::rounded(scene.duration) + " s, constant force.",
+                .behind = "Both Eulers fall by ten for ten times the work",
+                .guides = {-1},
+                .lead = "Verlet is exact at any step: two evaluations will do",
+                .steps = {3, 6, 12, 30, 90, 180, 432, 1000, 3000, 10000}});
 }
 
 }  // namespace nutshell

@@ -25,10 +25,6 @@ std::string thin_spaced(long count) {
     return digits;
 }
 
-}  // namespace
-
-namespace {
-
 std::string who_needs_least(const std::vector<Least>& all) {
     require(!all.empty() && all.front().met, "finding: no method meets the need: there is no least");
     const Least& fewest = all.front();
@@ -118,25 +114,26 @@ void report_least(Report& report, const std::string& key, const std::vector<Leas
                (any ? "The least that gives it:"
                     : "No method gives it, however small the step: look for a wrong formula."));
     if (any) report.print(least_table(all, need));
-    report.number(key + ".need", need.tolerance, need.unit);
+    const std::string chart = key + "_need.svg";
+    report.number(key + ".need", need.tolerance, need.unit, chart);
     for (const Least& least : all) {
         if (!least.met) continue;
         const std::string name = key + "." + key_of(least.name);
-        report.number(name + ".steps", static_cast<double>(least.run.steps));
-        report.number(name + ".step", least.run.dt, "s");
-        report.number(name + ".evaluations", static_cast<double>(least.run.evaluations));
+        report.number(name + ".steps", static_cast<double>(least.run.steps), "", chart);
+        report.number(name + ".step", least.run.dt, "s", chart);
+        report.number(name + ".evaluations", static_cast<double>(least.run.evaluations), "", chart);
     }
 }
 
-void draw_study(Report& report, const StudyWords& words, const std::vector<Curve>& curves,
+void draw_study(Report& report, const Plan& plan, const std::vector<Curve>& curves,
                 const std::vector<Least>& all, const Need& need) {
-    report.data(words.key + ".csv", work_precision_data(curves));
-    chart::Ranking lead = need_chart(all, need, words.scene, words.lead);
+    report.data(plan.key + ".csv", work_precision_data(curves));
+    chart::Ranking lead = need_chart(all, need, plan.scene, plan.lead);
     chart::Figure behind =
-        work_figure(curves, all, need, words.behind, words.scene + " Down and left is better.", words.guides);
-    lead.columns.front() = behind.panels.front().x.name = words.work;
-    chart::write_svg(lead, report.path(words.key + "_need.svg"));
-    chart::write_svg(behind, report.path(words.key + ".svg"));
+        work_figure(curves, all, need, plan.behind, plan.scene + " Down and left is better.", plan.guides);
+    lead.columns.front() = behind.panels.front().x.name = plan.work;
+    chart::write_svg(lead, report.path(plan.key + "_need.svg"));
+    chart::write_svg(behind, report.path(plan.key + ".svg"));
 }
 
 }  // namespace nutshell::lab

@@ -29,20 +29,18 @@ Table work_precision_data(const std::vector<Curve>& curves) {
                 {}};
     for (const auto& curve : curves)
         for (const auto& run : curve.runs)
-            table.add({curve.name, std::to_string(run.steps), exact_digits(run.dt),
-                       std::to_string(run.evaluations), exact_digits(run.max_error),
-                       exact_digits(run.final_error), exact_digits(run.seconds_per_second)});
+            table.add({curve.name, run.steps, run.dt, run.evaluations, run.max_error, run.final_error,
+                       run.seconds_per_second});
     return table;
 }
 
 Table least_table(const std::vector<Least>& all, const Need& need) {
     Table table{
         {"method", "steps", "dt [s]", "evaluations", "error [" + need.unit + "]", "µs per simulated s"}, {}};
-    for (const auto& way : all)
-        if (way.met)
-            table.add({way.name, std::to_string(way.run.steps), rounded(way.run.dt),
-                       std::to_string(way.run.evaluations), rounded(way.run.max_error),
-                       rounded(1e6 * way.run.seconds_per_second)});
+    for (const auto& [name, look, run, met] : all)
+        if (met)
+            table.add(
+                {name, run.steps, run.dt, run.evaluations, run.max_error, 1e6 * run.seconds_per_second});
     return table;
 }
 

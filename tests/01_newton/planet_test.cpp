@@ -33,7 +33,7 @@ template <class Step>
 double turn_per_orbit(const Step& method, long steps_an_orbit) {
     Aphelia aphelia;
     lab::run(Planet::for_orbits(21), method, 21 * steps_an_orbit,  // 21 aphelia: 20 orbits between them
-             [&](const PointMass& planet, double) { aphelia.look(planet.position); });
+             [&](const PointMass& planet, double) { aphelia.observe(planet.position); });
     REQUIRE(aphelia.angles.size() == 21);
     return aphelia.turn_per_orbit();
 }

@@ -13,7 +13,7 @@ struct Aphelia {
     std::vector<double>
         samples;  ///< when it was: how many samples after the first, with the part of one
 
-    void look(const Vector3& position) {
+    void observe(const Vector3& position) {
         before_ = here_, here_ = after_, after_ = position;
         if (++seen_ < 3) return;
         const double r0 = before_.squaredNorm(), r1 = here_.squaredNorm(),

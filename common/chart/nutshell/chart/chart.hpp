@@ -57,7 +57,17 @@ struct Series {
     std::optional<Look> look = {};        ///< of the method it is; none = no method: the next plain style
     bool like_last = false;               ///< in the colours of the series before it: its floor, its theory
     bool quiet = false;  ///< thin and grey, without marks and label: named in a line below the chart
+
+    void add(double at, double value) { x.push_back(at), y.push_back(value); }
 };
+
+/// The curve of a method, in its look. @tparam Method  has name and look
+template <class Method>
+Series series_of(const Method& method, Draw draw = Draw::as_suits) {
+    Series series{method.name, {}, {}, draw};
+    series.look = method.look;
+    return series;
+}
 
 /// A value on an axis with a meaning: drawn as a thin line across the chart, its reason written on it.
 struct Level {

@@ -26,18 +26,20 @@ chart::Figure work_figure(const std::vector<Curve>& curves, const std::vector<Le
 /// Prints what the need takes, and keeps it: KEY.need, and KEY.METHOD.steps, .step, .evaluations.
 void report_least(Report& report, const std::string& key, const std::vector<Least>& all, const Need& need);
 
-/// What a study says in words: `scene` for the subtitles ("Planet, three orbits."), `behind` as the title of
-/// the error against the cost, the slopes of its guides, and a title of its own for the lead chart where the
-/// finding will not do.
-struct StudyWords {
-    std::string key, scene, behind;
-    std::vector<double> guides;
-    std::string lead = {};
-    std::string work = "evaluations of the force";  ///< what the first cost counts
-};
+using StudyWords = Plan;
 
 /// Writes KEY_need.svg (what the need costs), KEY.svg (error against cost) and KEY.csv (all runs).
-void draw_study(Report& report, const StudyWords& words, const std::vector<Curve>& curves,
+void draw_study(Report& report, const Plan& plan, const std::vector<Curve>& curves,
                 const std::vector<Least>& all, const Need& need);
+
+/// A whole study: table and numbers as report_least, charts and data as draw_study. Scene, methods and need
+/// in; table, data, charts and numbers out.
+template <class Scene, class Methods>
+Study study(Report& report, const Scene& scene, const Methods& methods, const Plan& plan) {
+    Study all = measured(scene, methods, plan);
+    report_least(report, plan.key, all.least, scene.need);
+    draw_study(report, plan, all.curves, all.least, scene.need);
+    return all;
+}
 
 }  // namespace nutshell::lab

@@ -2,32 +2,21 @@
 #pragma once
 #include <filesystem>
 #include <functional>
+#include <nutshell/lab/table.hpp>
 #include <nutshell/write_file.hpp>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
+
+namespace nutshell::chart {
+struct Chart;
+}
 
 namespace nutshell::lab {
 
 /// Machine, compiler and command, one `# key: value` line each: the first lines of every data file.
 std::string provenance(const std::string& command);
-
-/// A number with as many digits as it needs to be read back exactly.
-std::string exact_digits(double value);
-
-/// Columns of numbers or words with a name each: printed as a table, or written as CSV.
-struct Table {
-    std::vector<std::string> columns;
-    std::vector<std::vector<std::string>> rows;
-
-    /// Adds a row. Numbers go in by `exact_digits` (for data) or `rounded` (for the terminal).
-    void add(std::vector<std::string> cells);
-    std::string csv() const;   ///< cells quoted where they need it
-    std::string text() const;  ///< columns aligned for the terminal, numbers to the right
-};
-
-/// A number for the eye: printf's format, "%.3g" unless said.
-std::string rounded(double value, const char* format = "%.3g");
 
 /// A chapter's results: prints as it goes, collects the numbers of the book, writes files into one folder.
 class Report {
@@ -38,9 +27,13 @@ class Report {
     void heading(const std::string& title);  ///< a new part of the printed report
     void say(const std::string& line);       ///< one printed line
     void print(const Table& table);          ///< a table, indented
-    /// Keeps a number for numbers.csv, where the book finds it as NN_name/`name`. Prints nothing.
-    void number(const std::string& name, double value, const std::string& unit = "");
+    /// Keeps a number for numbers.csv, where the book finds it as NN_name/`name`. Prints nothing. One that no
+    /// page quotes is listed by `book/build.sh --unquoted`, unless `shown` names the chart that shows it.
+    void number(const std::string& name, double value, const std::string& unit = "",
+                const std::string& shown = "");
     void data(const std::string& file, const Table& table);  ///< writes a CSV with provenance on top
+    /// Writes KEY.svg, and its points as KEY.csv: series, x, y.
+    void draw(const std::string& key, const chart::Chart& chart);
     /// The path of a result of this name, listed at the end; pictures and charts are written there by their
     /// own functions.
     std::filesystem::path path(const std::string& file);
@@ -50,7 +43,8 @@ class Report {
   private:
     std::filesystem::path folder_;
     std::string command_;
-    Table numbers_{{"name", "value", "unit"}, {}};
+    Table numbers_{{"name", "value", "unit", "shown"}, {}};
+    std::set<std::string> names_;
     std::vector<std::string> files_;
 };
 

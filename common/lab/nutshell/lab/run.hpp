@@ -62,6 +62,17 @@ auto run(const Scene& scene, const Method& method, long steps) {
     return run(scene, method, steps, [](const auto&, double) {});
 }
 
+/// The states of a run: the start and that after every `every`-th step.
+template <class Scene, class Method>
+auto states_of(const Scene& scene, const Method& method, long steps, long every = 1) {
+    std::vector<decltype(scene.start)> states;
+    long n = 0;
+    run(scene, method, steps, [&](const auto& state, double) {
+        if (n++ % every == 0) states.push_back(state);
+    });
+    return states;
+}
+
 /// A scene that counts how often its push is asked for; otherwise the scene itself.
 template <class Scene>
 struct Counted : Scene {

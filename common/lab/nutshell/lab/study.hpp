@@ -16,6 +16,7 @@ struct Entry {
     Look look;
     std::function<Measurement(const Scene&, long steps)> measure;  ///< error and evaluations
     std::function<double(const Scene&, long steps)> seconds;       ///< processor time of one whole run [s]
+    std::vector<long> steps = {};  ///< of its runs in a study; empty: those of the study
 };
 
 /// Puts a method on the list for a scene.
@@ -28,7 +29,20 @@ Entry<Scene> entry(const Method& method) {
             }};
 }
 
-/// The same for a tuple of methods.
+/// The same method on what `other(scene)` makes of the scene: another formula for the same motion.
+template <class Scene, class Method, class Other>
+Entry<Scene> entry_on(std::string name, const Look& look, const Method& method, const Other& other) {
+    const auto of_other = entry<decltype(other(std::declval<const Scene&>()))>(method);
+    return {std::move(name), look,
+            [=](const Scene& scene, long steps) { return of_other.measure(other(scene), steps); },
+            [=](const Scene& scene, long steps) { return of_other.seconds(other(scene), steps); }};
+}
+
+/// A list as it is, or made of a tuple of methods.
+template <class Scene>
+const std::vector<Entry<Scene>>& entries(const std::vector<Entry<Scene>>& methods) {
+    return methods;
+}
 template <class Scene, class... Starts>
 std::vector<Entry<Scene>> entries(const std::tuple<Method<Starts>...>& methods) {
     return std::apply([](const auto&... method) { return std::vector{entry<Scene>(method)...}; }, methods);
@@ -41,20 +55,31 @@ struct Curve {
     std::vector<Measurement> runs;
 };
 
-/// Measures every method at every number of steps; with `timed`, the processor time too.
+/// Measures every method at every number of steps, or its own; with `timed`, the processor time too.
 template <class Scene>
 std::vector<Curve> work_precision(const Scene& scene, const std::vector<Entry<Scene>>& methods,
                                   const std::vector<long>& steps, bool timed = true) {
     std::vector<Curve> curves;
     for (const auto& method : methods) {
         Curve curve{method.name, method.look, {}};
-        for (const long n : steps) {
+        for (const long n : method.steps.empty() ? steps : method.steps) {
             curve.runs.push_back(method.measure(scene, n));
             if (timed) curve.runs.back().seconds_per_second = method.seconds(scene, n) / scene.duration;
         }
         curves.push_back(std::move(curve));
     }
     return curves;
+}
+
+/// The observed order of a method on a scene: of its largest errors with these numbers of steps.
+template <class Scene>
+double order_of(const Scene& scene, const Entry<Scene>& method, const std::vector<long>& steps) {
+    std::vector<double> dts, errors;
+    for (const long n : steps) {
+        const Measurement m = method.measure(scene, n);
+        dts.push_back(m.dt), errors.push_back(m.max_error);
+    }
+    return observed_order(dts, errors);
 }
 
 /// How a method fared with a need: the run with the fewest steps that meets it, or the one with the most
@@ -121,6 +146,32 @@ std::vector<Least> least_of_each(const Scene& scene, const std::vector<Entry<Sce
         return a.met ? a.run.evaluations < b.run.evaluations : a.run.max_error < b.run.max_error;
     });
     return all;
+}
+
+/// What a study is asked beside scene and methods, and what its charts say in words.
+struct Plan {
+    std::string key;                                ///< of its numbers and files
+    std::string scene;                              ///< in the subtitles: "Planet, three orbits."
+    std::string behind;                             ///< title of the error against the cost
+    std::vector<double> guides = {};                ///< slopes drawn there
+    std::string lead = {};                          ///< title of the lead chart where the finding will not do
+    std::string work = "evaluations of the force";  ///< what the first cost counts
+    std::vector<long> steps = {};                   ///< of the runs there
+    long fewest = 1, most = 10'000'000;             ///< steps between which the need is searched for
+};
+
+/// What a study found.
+struct Study {
+    std::vector<Least> least;   ///< what its need costs, cheapest first
+    std::vector<Curve> curves;  ///< error against cost
+};
+
+/// Measures what a scene's need costs with each method, and error against cost.
+/// @param methods  a tuple of methods, or a list of entries
+template <class Scene, class Methods>
+Study measured(const Scene& scene, const Methods& methods, const Plan& plan) {
+    const auto& list = entries<Scene>(methods);
+    return {least_of_each(scene, list, plan.fewest, plan.most), work_precision(scene, list, plan.steps)};
 }
 
 /// What this machine can do at best, measured in the same run: the yardstick of every time in a chart.

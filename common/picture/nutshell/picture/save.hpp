@@ -2,6 +2,7 @@
 #pragma once
 #include <filesystem>
 #include <functional>
+#include <nutshell/require.hpp>
 
 #include "nutshell/picture/image.hpp"
 #include "nutshell/picture/sheet.hpp"
@@ -24,6 +25,13 @@ struct Note {
     std::vector<NotedNumber> numbers{};  ///< final numbers
     std::string states{};                ///< of a moving figure: what its page can put it into
 };
+
+/// The note of one run: the names are the scene's and the method's. @param dt  [s]
+template <class Scene, class Method>
+Note note_of(const std::string& command, const Scene& scene, const Method& method, double dt,
+             std::vector<NotedNumber> numbers = {}) {
+    return {command, scene.name, method.name, digits(dt) + " s", std::move(numbers)};
+}
 
 /// Writes `file` (a .png) and its note, the same name ending in .txt; each appears whole or not at all.
 /// @throws std::runtime_error naming the file if it cannot be written
