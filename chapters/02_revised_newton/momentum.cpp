@@ -8,8 +8,11 @@
 namespace nutshell {
 
 void momentum_throw(lab::Report& report) {
-    const long steps = 180;
-    report.heading("The same throw in momentum: 3 s in steps of 1/60 s");
+    const long rate = 60;  // [steps/s]
+    const double duration = ThrownBall{}.duration;
+    const long steps = lab::steps_of(duration, 1.0 / rate);
+    report.heading("The same throw in momentum: " + lab::rounded(duration) + " s in steps of 1/" +
+                   std::to_string(rate) + " s");
     lab::Table table{
         {"mass [kg]", "method", "position, difference [m]", "velocity, difference [m/s]"}, {}};
     double same_bits = 0, any_mass = 0;
@@ -19,9 +22,9 @@ void momentum_throw(lab::Report& report) {
         const Particle other = lab::run(scene, method, steps);
         const double place = (one.position - other.position).norm(),
                      speed = (one.velocity - velocity(other)).norm();
-        table.add({lab::rounded(mass), method.name, lab::rounded(place), lab::rounded(speed)});
-        (mass == 2 ? same_bits : any_mass) =
-            std::max(mass == 2 ? same_bits : any_mass, std::max(place, speed));
+        table.add({mass, method.name, place, speed});
+        double& most = mass == 2 ? same_bits : any_mass;
+        most = std::max({most, place, speed});
     };
     for (const double mass : {2.0, 7.0})
         each(newton_methods, [&](const auto& method) { compare(mass, method); });

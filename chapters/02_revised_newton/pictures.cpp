@@ -14,17 +14,6 @@ namespace {
 
 const pic::Colour water{0.337F, 0.706F, 0.914F}, stone = pic::palette::steel;
 
-/// States after every `every`-th step.
-template <class Scene, class Method>
-auto states(const Scene& scene, const Method& method, long steps, long every) {
-    std::vector<decltype(scene.start)> kept;
-    long n = 0;
-    lab::run(scene, method, steps, [&](const auto& state, double) {
-        if (n++ % every == 0) kept.push_back(state);
-    });
-    return kept;
-}
-
 /// A drop's radius on the picture: true in proportion, far too large to be true.
 double drop_radius(double mass, double full_mass) {
     return 1.3 * std::cbrt(mass / full_mass);
@@ -32,15 +21,14 @@ double drop_radius(double mass, double full_mass) {
 
 void raindrop_picture(lab::Report& report) {
     const Raindrop drop;
-    const auto drops = states(drop, methods::verlet, 40, 4);
+    const double dt = 0.1;
+    const auto drops = lab::states_of(drop, methods::verlet, lab::steps_of(drop.duration, dt), 4);
     const double full = drops.back().mass;
-    const pic::Note note{report.command(),
-                         "raindrop",
-                         "Verlet",
-                         "0.1 s",
-                         {{"speed down at the end", -velocity(drops.back()).y(), "m/s"},
-                          {"speed sideways at the end", velocity(drops.back()).x(), "m/s"},
-                          {"position, off by", drop.error(drops.back(), drop.duration), "m"}}};
+    const auto note =
+        pic::note_of(report.command(), drop, methods::verlet, dt,
+                     {{"speed down at the end", -velocity(drops.back()).y(), "m/s"},
+                      {"speed sideways at the end", velocity(drops.back()).x(), "m/s"},
+                      {"position, off by", drop.error(drops.back(), drop.duration), "m"}});
     pic::save(report.path("raindrop.png"), note, [&]() -> pic::Sheet {
         pic::Drawing drawing;
         drawing.ground({.height = 0, .spacing = 5});

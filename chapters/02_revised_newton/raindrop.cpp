@@ -10,18 +10,22 @@ void raindrop(lab::Report& report) {
     const Raindrop drop;
     const long steps = 40;
     const double T = drop.duration, dt = T / steps;
-    report.heading("Raindrop: 10 mg grows to 50 mg in 4 s, steps of 0.1 s");
+    report.heading("Raindrop: " + lab::rounded(1e6 * drop.m0) + " mg grows to " +
+                   lab::rounded(1e6 * drop.exact(T).mass) + " mg in " + lab::rounded(T) +
+                   " s, steps of " + lab::rounded(dt) + " s");
     const Particle exact = drop.exact(T);
     const double weight_sum = drop.m0 * T + drop.beta * T * (T - dt) / 2,
                  trapezium = drop.m0 * T + drop.beta * T * T / 2;
-    lab::Table table{{"method", "K down [g m/s]", "the law says [g m/s]",
-                      "off the law by [g m/s]", "position, off by [m]"},
+    lab::Table table{{"method",
+                      {"K down [g m/s]", "%.6f"},
+                      {"the law says [g m/s]", "%.6f"},
+                      "off the law by [g m/s]",
+                      "position, off by [m]"},
                      {}};
     const auto compare = [&](const auto& method, double law) {
         const VariableMass end = lab::run(drop, method, steps);
         const double K = -1e3 * end.momentum.y(), says = -1e3 * gravity.y() * law;
-        table.add({method.name, lab::rounded(K, "%.6f"), lab::rounded(says, "%.6f"),
-                   lab::rounded(std::abs(K - says)), lab::rounded(distance(end, exact))});
+        table.add({method.name, K, says, std::abs(K - says), distance(end, exact)});
         report.number("drop." + method.key() + ".K", K, "g m/s");
         report.number("drop." + method.key() + ".off_the_law", std::abs(K - says), "g m/s");
         report.number("drop." + method.key() + ".off_at_40", distance(end, exact), "m");
@@ -41,22 +45,17 @@ void raindrop(lab::Report& report) {
     const double late = 1000;
     report.number("drop.late_acceleration",
                   -(velocity(drop.exact(late + 1)) - velocity(drop.exact(late))).y(), "m/s^2");
-    report.say("After 4 s it falls at " + lab::rounded(-v.y(), "%.2f") + " m/s; a stone at " +
-               lab::rounded(-gravity.y() * T, "%.2f") +
-               " m/s. Its sideways speed is down from 3 to " + lab::rounded(v.x(), "%.2f") +
-               " m/s.");
+    report.say("After " + lab::rounded(T) + " s it falls at " + lab::rounded(-v.y(), "%.2f") +
+               " m/s; a stone at " + lab::rounded(-gravity.y() * T, "%.2f") +
+               " m/s. Its sideways speed is down from " + lab::rounded(velocity(drop.start).x()) +
+               " to " + lab::rounded(v.x(), "%.2f") + " m/s.");
 
-    const auto methods = lab::entries<Raindrop>(newton_methods);
-    const auto least = lab::least_of_each(drop, methods);
-    lab::report_least(report, "drop", least, drop.need);
-    const auto curves =
-        lab::work_precision(drop, methods, {5, 10, 20, 50, 100, 300, 1000, 3000, 10000, 30000});
-    lab::draw_study(report,
-                    {"raindrop",
-                     "Raindrop, 4 s through a cloud at rest.",
-                     "The printed step works; half a kick works better",
-                     {-1, -2}},
-                    curves, least, drop.need);
+    lab::study(report, drop, newton_methods,
+               {.key = "drop",
+                .scene = "Raindrop, " + lab::rounded(T) + " s through a cloud at rest.",
+                .behind = "The printed step works; half a kick works better",
+                .guides = {-1, -2},
+                .steps = {5, 10, 20, 50, 100, 300, 1000, 3000, 10000, 30000}});
 }
 
 }  // namespace nutshell

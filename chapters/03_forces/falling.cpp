@@ -1,5 +1,5 @@
-// Falling with drag: what a first-order method, a naive Verlet and an exact step make of it, and
-// where they break.
+// Falling with drag: what a first-order method, Verlet with drag in its kicks and an exact step make
+// of it, and where they break.
 #include <nutshell/stability_limits.hpp>
 #include <nutshell/stale_drag.hpp>
 #include "entries.hpp"
@@ -9,39 +9,38 @@ namespace nutshell {
 
 namespace {
 
-const auto entries = lab::entries<FallingWithDrag>(std::tuple{
-    methods::euler, methods::semi_implicit_euler, methods::verlet, methods::explicit_midpoint,
-    methods::rk4, methods::dormand_prince, methods::exponential_verlet_inside,
-    methods::exponential_yoshida4, methods::exponential_kick});
+const auto with_an_order = std::tuple{methods::euler,
+                                      methods::semi_implicit_euler,
+                                      methods::verlet,
+                                      methods::explicit_midpoint,
+                                      methods::rk4,
+                                      methods::dormand_prince,
+                                      methods::exponential_verlet_inside,
+                                      methods::exponential_yoshida4};
 
 /// The speed of a body that drag alone slows down, with gamma dt/m = 0.5, 1.5 and 2.5, and with the
 /// drag of the step before.
 void slowing_down(lab::Report& report) {
+    constexpr int steps = 10;
     struct Slowing {
         PointMass start{1, {0, 0, 0}, {1, 0, 0}};
-        double drag;
+        double drag, duration = steps;  // one second a step
         Vector3 operator()(const PointMass& body, double) const {
             return linear_drag_force(drag, body.velocity);
         }
     };
-    constexpr int steps = 10;
     chart::Figure figure;
     figure.title = "The longer the step, the more Euler's drag turns the body round";
     figure.subtitle =
         "The velocity of a body that only drag slows, over its start; x = γ dt/m. Pale: exact.";
     lab::Table data{{"method", "x", "step", "velocity"}, {}};
     const auto follow = [&](chart::Chart& chart, const auto& method, double x) {
+        chart::Series series = chart::series_of(method, chart::Draw::line_and_marks);
         const Slowing scene{{1, {0, 0, 0}, {1, 0, 0}}, x};
-        auto step = method.start(scene);
-        PointMass body = scene.start;
-        chart::Series series{method.name};
-        series.look = method.look, series.draw = chart::Draw::line_and_marks;
-        for (int n = 0; n <= steps; ++n) {
-            series.x.push_back(n), series.y.push_back(body.velocity.x());
-            data.add({method.name, lab::rounded(x), std::to_string(n),
-                      lab::exact_digits(body.velocity.x())});
-            body = step(body, scene, 0.0, 1.0);
-        }
+        lab::run(scene, method, steps, [&](const PointMass& body, double n) {
+            series.add(n, body.velocity.x());
+            data.add({method.name, x, n, body.velocity.x()});
+        });
         chart.series.push_back(std::move(series));
     };
     const auto panel = [&](const std::string& title, double x) {
@@ -51,8 +50,7 @@ void slowing_down(lab::Report& report) {
         chart.y = {"", chart::Scale::linear, -2, 2};
         chart::Series exact{"exact"};
         exact.look = Look{Family::exact};
-        for (int i = 0; i <= 10 * steps; ++i)
-            exact.x.push_back(0.1 * i), exact.y.push_back(std::exp(-x * 0.1 * i));
+        for (int i = 0; i <= 10 * steps; ++i) exact.add(0.1 * i, std::exp(-x * 0.1 * i));
         chart.series.push_back(std::move(exact));
         return chart;
     };
@@ -92,29 +90,18 @@ void falling(lab::Report& report) {
     report.number("falling.scaled_300.error", scaled, "m");
     report.number("falling.euler_300.error", lab::measure(scene, methods::euler, 300).max_error,
                   "m");
-    lab::Table orders{{"method", "order"}, {}};
-    for (const auto& method : entries) {
-        if (method.name == methods::exponential_kick.name) continue;  // exact
-        std::vector<double> dts, errors;
-        for (const long n : {80, 160, 320})
-            dts.push_back(scene.duration / static_cast<double>(n)),
-                errors.push_back(method.measure(scene, n).max_error);
-        const double order = lab::observed_order(dts, errors);
-        orders.add({method.name, lab::rounded(order, "%.2f")});
-        report.number("falling." + key_of(method.name) + ".order", order);
-    }
-    report.print(orders);
-    const auto least = lab::least_of_each(scene, entries, 1, 100'000);
-    lab::report_least(report, "falling", least, scene.need);
-    const auto curves =
-        lab::work_precision(scene, entries, {1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000});
-    lab::draw_study(report,
-                    {"falling",
-                     "A stone sinks with linear drag for 5 s.",
-                     "Slopes are orders; the exponential kick has no error to shrink",
-                     {-1, -2, -4},
-                     "The exponential kick is exact: one step for the whole fall"},
-                    curves, least, scene.need);
+    auto entries = lab::entries<FallingWithDrag>(with_an_order);
+    lab::report_orders(report, "falling", scene, entries, {80, 160, 320});
+    entries.push_back(lab::entry<FallingWithDrag>(methods::exponential_kick));  // exact: no order
+    lab::study(
+        report, scene, entries,
+        {.key = "falling",
+         .scene = "A stone sinks with linear drag for " + lab::rounded(scene.duration) + " s.",
+         .behind = "Slopes are orders; the exponential kick has no error to shrink",
+         .guides = {-1, -2, -4},
+         .lead = "The exponential kick is exact: one step for the whole fall",
+         .steps = {1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000},
+         .most = 100'000});
     slowing_down(report);
 
     const FallingInAir air;

@@ -7,16 +7,29 @@ namespace nutshell {
 
 namespace {
 
-const auto undamped_methods = lab::entries<MassOnSpring>(std::tuple{
-    methods::euler, methods::semi_implicit_euler, methods::verlet, methods::yoshida4,
-    methods::kahan_li8, methods::explicit_midpoint, methods::rk4, methods::dormand_prince,
-    methods::implicit_euler, methods::implicit_midpoint, methods::exact_propagator});
+const std::tuple undamped_methods{methods::euler,
+                                  methods::semi_implicit_euler,
+                                  methods::verlet,
+                                  methods::yoshida4,
+                                  methods::kahan_li8,
+                                  methods::explicit_midpoint,
+                                  methods::rk4,
+                                  methods::dormand_prince,
+                                  methods::implicit_euler,
+                                  methods::implicit_midpoint,
+                                  methods::exact_propagator};
 
-const auto damped_methods = lab::entries<MassOnSpring>(
-    std::tuple{methods::euler, methods::semi_implicit_euler, methods::verlet, methods::yoshida4,
-               methods::exponential_kick, methods::exponential_verlet_inside,
-               methods::exponential_yoshida4, methods::rk4, methods::dormand_prince,
-               methods::implicit_midpoint, methods::exact_propagator});
+const std::tuple damped_methods{// and the exact propagator, which has no order
+                                methods::euler,
+                                methods::semi_implicit_euler,
+                                methods::verlet,
+                                methods::yoshida4,
+                                methods::exponential_kick,
+                                methods::exponential_verlet_inside,
+                                methods::exponential_yoshida4,
+                                methods::rk4,
+                                methods::dormand_prince,
+                                methods::implicit_midpoint};
 
 void energy_of_ten_periods(lab::Report& report, const MassOnSpring& scene) {
     const double theta = 0.5, dt = theta / scene.omega();
@@ -29,25 +42,21 @@ void energy_of_ten_periods(lab::Report& report, const MassOnSpring& scene) {
                     methods::explicit_midpoint, methods::rk4, methods::implicit_euler,
                     methods::implicit_midpoint},
          [&](const auto& method) {  // the energy over its start, once a step
-             chart::Series series{method.name};
-             series.look = method.look;
-             series.draw = chart::Draw::line;
+             chart::Series series = chart::series_of(method, chart::Draw::line);
              auto step = method.start(scene);
              PointMass s = scene.start;
              for (long n = 0; n <= static_cast<long>(10 * 2 * pi / theta); ++n) {
-                 series.x.push_back(static_cast<double>(n) * theta / (2 * pi));
-                 series.y.push_back(scene.energy(s) / scene.energy(scene.start));
+                 series.add(static_cast<double>(n) * theta / (2 * pi),
+                            scene.energy(s) / scene.energy(scene.start));
                  s = step(s, scene, 0.0, dt);
              }
+             const std::string key = "energy." + method.key();
+             const auto [low, high] = std::minmax_element(series.y.begin(), series.y.end());
+             report.number(key + ".lowest", *low);
+             report.number(key + ".highest", *high);
+             report.number(key + ".end", series.y.back());
              chart.series.push_back(std::move(series));
          });
-    for (const auto& series : chart.series) {
-        double low = 1, high = 1;
-        for (const double e : series.y) low = std::min(low, e), high = std::max(high, e);
-        report.number("energy." + key_of(series.name) + ".lowest", low);
-        report.number("energy." + key_of(series.name) + ".highest", high);
-        report.number("energy." + key_of(series.name) + ".end", series.y.back());
-    }
     chart::write_svg(chart, report.path("spring_energy.svg"));
 }
 
@@ -62,10 +71,10 @@ void overflow(lab::Report& report) {
     chart.x = {"periods", chart::Scale::linear, 0, 2400};
     chart.y = {"decimal exponent", chart::Scale::linear, 0, 320};
     chart.levels_y = {{std::log10(std::numeric_limits<double>::max()), "the largest double"}};
-    chart::Series energy{"energy"}, amplitude{"amplitude"};
-    energy.look = methods::euler.look, amplitude.look = variant(methods::euler.look);
-    energy.draw = amplitude.draw = chart::Draw::line;
-    lab::Table data{{"periods", "energy_over_start", "amplitude"}, {}};
+    chart::Series energy = chart::series_of(methods::euler, chart::Draw::line),
+                  amplitude = energy;
+    energy.name = "energy", amplitude.name = "amplitude";
+    amplitude.look = variant(methods::euler.look);
     PointMass s = scene.start;
     const double first = scene.energy(s);
     long energy_gone = 0, state_gone = 0;
@@ -76,37 +85,31 @@ void overflow(lab::Report& report) {
         if (!s.position.allFinite() || !s.velocity.allFinite()) state_gone = n;
         if (n % 500 == 0) {
             const double periods = static_cast<double>(n) * periods_a_step;
-            if (std::isfinite(e)) energy.x.push_back(periods), energy.y.push_back(std::log10(e));
-            if (std::isfinite(a))
-                amplitude.x.push_back(periods), amplitude.y.push_back(std::log10(a));
-            data.add({lab::exact_digits(periods), lab::exact_digits(e), lab::exact_digits(a)});
+            if (std::isfinite(e)) energy.add(periods, std::log10(e));
+            if (std::isfinite(a)) amplitude.add(periods, std::log10(a));
         }
         s = euler(s, scene, 0, dt);
     }
     chart.series = {energy, amplitude};
-    report.number("overflow.energy.periods", static_cast<double>(energy_gone) * periods_a_step);
-    report.number("overflow.state.periods", static_cast<double>(state_gone) * periods_a_step);
-    report.number("overflow.state.minutes_at_1_hz",
-                  static_cast<double>(state_gone) * periods_a_step / 60, "min");
+    const double energy_periods = static_cast<double>(energy_gone) * periods_a_step,
+                 state_periods = static_cast<double>(state_gone) * periods_a_step;
+    report.number("overflow.energy.periods", energy_periods);
+    report.number("overflow.state.periods", state_periods);
+    report.number("overflow.state.minutes_at_1_hz", state_periods / 60, "min");
     report.say("Euler at omega dt = 0.1: the energy overflows after " +
-               lab::rounded(static_cast<double>(energy_gone) * periods_a_step, "%.0f") +
-               " periods, the state after " +
-               lab::rounded(static_cast<double>(state_gone) * periods_a_step, "%.0f") + ".");
-    report.data("overflow.csv", data);
-    chart::write_svg(chart, report.path("overflow.svg"));
+               lab::rounded(energy_periods, "%.0f") + " periods, the state after " +
+               lab::rounded(state_periods, "%.0f") + ".");
+    report.draw("overflow", chart);
 }
 
 template <class Methods>
-void study(lab::Report& report, const MassOnSpring& scene, const Methods& methods,
-           const lab::StudyWords& words) {
-    const auto least =
-        lab::least_of_each(scene, methods, 10, 100'000);  // Euler would take 600 000
-    lab::report_least(report, words.key, least, scene.need);
-    const auto curves =
-        lab::work_precision(scene, methods, {10, 20, 40, 80, 160, 320, 640, 1280, 2560, 5120});
-    lab::draw_study(report, words, curves, least, scene.need);
-    for (const auto& curve : curves)
-        report.number(words.key + "." + key_of(curve.name) + ".nanoseconds",
+void cost(lab::Report& report, const MassOnSpring& scene, const Methods& methods,
+          lab::Plan plan) {
+    plan.guides = {-1, -2, -4, -8};
+    plan.steps = {10, 20, 40, 80, 160, 320, 640, 1280, 2560, 5120};
+    plan.fewest = 10, plan.most = 100'000;  // Euler would take 600 000
+    for (const auto& curve : lab::study(report, scene, methods, plan).curves)
+        report.number(plan.key + "." + key_of(curve.name) + ".nanoseconds",
                       1e9 * curve.runs[7].seconds_per_second * curve.runs[7].dt, "ns");  // a step
 }
 
@@ -114,35 +117,27 @@ void study(lab::Report& report, const MassOnSpring& scene, const Methods& method
 
 void springs(lab::Report& report) {
     const MassOnSpring scene;
-    report.heading("Mass on a spring: period 1 s, ten periods");
-    study(report, scene, undamped_methods,
-          {"spring",
-           "Mass on a spring, ten periods.",
-           "Slopes are orders: high order wins when the need is strict",
-           {-1, -2, -4, -8}});
+    const double period = 2 * pi / scene.omega();
+    report.heading("Mass on a spring: period " + lab::rounded(period) + " s, " +
+                   lab::rounded(scene.duration / period) + " periods");
+    cost(report, scene, undamped_methods,
+         {.key = "spring",
+          .scene = "Mass on a spring, " + lab::rounded(scene.duration / period) + " periods.",
+          .behind = "Slopes are orders: high order wins when the need is strict"});
     energy_of_ten_periods(report, scene);
     overflow(report);
 
-    const MassOnSpring damped = MassOnSpring::with_damping(0.1);
-    report.heading("Damped spring: damping ratio 0.1");
-    lab::Table orders{{"method", "order"}, {}};
-    for (const auto& method : damped_methods) {
-        if (method.name == methods::exact_propagator.name) continue;
-        std::vector<double> dts, errors;
-        for (const long n : {2000, 4000, 8000})
-            dts.push_back(damped.duration / static_cast<double>(n)),
-                errors.push_back(method.measure(damped, n).max_error);
-        if (errors.back() < 1e-12) continue;  // round-off has no order
-        const double order = lab::observed_order(dts, errors);
-        orders.add({method.name, lab::rounded(order, "%.2f")});
-        report.number("damped." + key_of(method.name) + ".order", order);
-    }
-    report.print(orders);
-    study(report, damped, damped_methods,
-          {"damped",
-           "Damped spring, ratio 0.1, ten seconds.",
-           "Drag inside the kick costs Verlet an order",
-           {-1, -2, -4, -8}});
+    const double ratio = 0.1;
+    const MassOnSpring damped = MassOnSpring::with_damping(ratio);
+    report.heading("Damped spring: damping ratio " + lab::rounded(ratio));
+    auto entries = lab::entries<MassOnSpring>(damped_methods);
+    lab::report_orders(report, "damped", damped, entries, {2000, 4000, 8000});
+    entries.push_back(lab::entry<MassOnSpring>(methods::exact_propagator));
+    cost(report, damped, entries,
+         {.key = "damped",
+          .scene = "Damped spring, ratio " + lab::rounded(ratio) + ", " +
+                   lab::rounded(damped.duration) + " seconds.",
+          .behind = "Drag inside the kick costs Verlet an order"});
 }
 
 }  // namespace nutshell

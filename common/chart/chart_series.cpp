@@ -100,17 +100,15 @@ std::vector<Style> styles_of(const Chart& chart) {
     std::vector<Style> styles;
     int plain = 0;
     const auto add = [&](const auto& shown) {
-        const std::string& name = shown.style.empty() ? shown.name : shown.style;
-        if (shown.look)
-            styles.push_back(style_of(*shown.look));
-        else
-            styles.push_back(is_method(name) ? style_of(name) : plain_style(plain++));
+        styles.push_back(shown.look ? style_of(*shown.look) : plain_style(plain++));
     };
     for (const Series& series : chart.series) {
         if (series.like_last && !styles.empty())
             styles.push_back(Style(styles.back()));
         else if (series.quiet)
             styles.push_back(style_of(Look{Family::peer}));
+        else if (series.draw == Draw::theory && !series.look)
+            styles.push_back(style_of(Look{Family::reference}));
         else
             add(series);
     }

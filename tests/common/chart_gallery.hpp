@@ -1,6 +1,7 @@
 // One chart of each kind, and where their texts stand.
 #pragma once
 #include <nutshell/chart/chart.hpp>
+#include <nutshell/forces_methods.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -15,6 +16,8 @@
 namespace gallery_of_charts {
 
 using namespace nutshell::chart;
+using nutshell::Look;
+namespace methods = nutshell::methods;
 
 inline std::string wide_svg(const Chart& chart) {
     return wide_layout(svg(chart));
@@ -23,9 +26,9 @@ inline std::string wide_svg(const Chart& chart) {
 inline constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Errors C * cost^-order down to a floor of round-off.
-inline Series power_law(const std::string& name, double factor, double order) {
-    Series s;
-    s.name = name;
+template <class Method>
+Series power_law(const Method& method, double factor, double order) {
+    Series s = series_of(method);
     for (double cost = 100; cost < 2e5; cost *= 2) {
         s.x.push_back(cost);
         s.y.push_back(std::max(factor * std::pow(cost / 100, -order), 1e-12));
@@ -40,13 +43,13 @@ inline Chart work_precision_chart() {
         "Planet, e = 0.6, one orbit. Down and left is better, and this sentence is long enough to be broken.";
     c.x = {"force evaluations", Scale::logarithmic};
     c.y = {"largest position error [m]", Scale::logarithmic};
-    c.series = {power_law("Euler", 5, 1),
-                power_law("semi-implicit Euler", 1, 1),
-                power_law("Verlet", 0.3, 2),
-                power_law("RK4", 0.2, 4),
-                power_law("Yoshida 4", 0.1, 4),
-                power_law("Kahan-Li 8", 0.5, 8),
-                power_law("Dormand-Prince 5(4)", 0.05, 5)};
+    c.series = {power_law(methods::euler, 5, 1),
+                power_law(methods::semi_implicit_euler, 1, 1),
+                power_law(methods::verlet, 0.3, 2),
+                power_law(methods::rk4, 0.2, 4),
+                power_law(methods::yoshida4, 0.1, 4),
+                power_law(methods::kahan_li8, 0.5, 8),
+                power_law(methods::dormand_prince, 0.05, 5)};
     c.tolerance = Level{1e-3, "1 mm: a pixel at 2 m"};
     c.guides = {-1, -2, -4};
     c.ring_cheapest = true;
@@ -77,7 +80,7 @@ inline Chart regions_chart() {
     Chart c;
     c.title = "Where \u03bbdt may lie";
     c.x = {"real part"}, c.y = {"imaginary part"};
-    c.regions = {disc("RK4", 1.7, 81), disc("Euler", 0.8, 81),
+    c.regions = {disc(methods::rk4.name, 1.7, 81), disc(methods::euler.name, 0.8, 81),
                  disc("a name much too long for a place inside its region", 0.3, 81)};
     Series theory{"theory"};
     for (int k = 0; k <= 100; ++k) {
@@ -86,6 +89,7 @@ inline Chart regions_chart() {
     }
     theory.draw = Draw::theory;
     c.series = {theory};
+    c.regions[0].look = methods::rk4.look, c.regions[1].look = methods::euler.look;
     return c;
 }
 
@@ -102,7 +106,8 @@ inline Chart orbit() {
     c.title = "An orbit";
     c.x = {"x [m]"}, c.y = {"y [m]"};
     c.equal_aspect = true;
-    Series exact{"exact"}, euler{"Euler"};
+    Series exact{"exact"}, euler = series_of(methods::euler);
+    exact.look = Look{nutshell::Family::exact};
     for (int k = 0; k <= 300; ++k) {
         const double t = 2 * std::numbers::pi * k / 100;
         exact.x.push_back(2 * std::cos(t)), exact.y.push_back(std::sin(t));

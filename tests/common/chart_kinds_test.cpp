@@ -44,7 +44,7 @@ double area(const parts::Line& loop) {
 parts::Contour fine_contour(const Region& region) {
     parts::Frame frame = bare();
     frame.x.low = frame.y.low = -200, frame.x.high = frame.y.high = 200;
-    return parts::contour(region, style_of("Euler"), frame);
+    return parts::contour(region, style_of(nutshell::Look{}), frame);
 }
 
 Chart plain_chart() {

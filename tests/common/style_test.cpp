@@ -1,8 +1,12 @@
-// The one table of looks: colour says the family, mark and dash the member, and all of it can be told apart.
+// Looks of methods: colour says the family, mark and dash the member, and all of it can be told apart.
 #include <nutshell/chart/style.hpp>
+#include <nutshell/forces_methods.hpp>
+#include <nutshell/spinning_methods.hpp>
 
 #include <array>
 #include <map>
+#include <set>
+#include <tuple>
 
 #include "check.hpp"
 
@@ -11,23 +15,9 @@ using namespace nutshell::chart;
 
 namespace {
 
-constexpr std::array methods{"Euler",
-                             "semi-implicit Euler",
-                             "Verlet",
-                             "Yoshida 4",
-                             "Kahan-Li 8",
-                             "explicit midpoint",
-                             "RK4",
-                             "Dormand-Prince 5(4)",
-                             "implicit Euler",
-                             "implicit midpoint",
-                             "exponential kick",
-                             "exponential Verlet",
-                             "exact propagator",
-                             "Bullet",
-                             "ODE",
-                             "MuJoCo",
-                             "Boost.odeint"};
+constexpr std::array families{
+    Family::explicit_one_step, Family::symplectic, Family::runge_kutta, Family::implicit,
+    Family::exponential,       Family::exact,      Family::peer};
 
 using Light = std::array<double, 3>;  // linear red, green, blue
 
@@ -76,50 +66,35 @@ Light seen(const std::string& colour, const Matrix& eyes) {
 }  // namespace
 
 TEST_CASE("colour is the family, mark and dash are the member") {
-    std::map<Family, std::string> colours;
-    for (const char* a : methods) {
-        const Style style = style_of(a);
-        CHECK(is_method(a));
-        CHECK_FALSE(style.hollow);
-        const auto [known, fresh] = colours.emplace(style.family, style.light);
-        CHECK(known->second == style.light);
-        for (const char* b : methods) {
-            const Style other = style_of(b);
-            INFO(a << ", " << b);
-            if (std::string(a) != b && style.family == other.family) {
-                CHECK(style.mark != other.mark);
-                CHECK(style.dash != other.dash);
-            }
-        }
-    }
-    CHECK(colours.size() == 7);
-    CHECK(style_of("Verlet").family == Family::symplectic);
-    CHECK(style_of("RK4").family == Family::runge_kutta);
-    CHECK(style_of("implicit midpoint").family == Family::implicit);
-    CHECK(style_of("Bullet").family == Family::peer);
+    const auto told_apart = [](const auto& methods) {
+        std::set<std::tuple<Family, Mark, std::string, bool>> looks;
+        each(methods, [&](const auto& method) {
+            INFO(method.name);
+            const Style style = style_of(method.look);
+            CHECK(style.light == style_of(Look{method.look.family}).light);
+            CHECK(looks.emplace(style.family, style.mark, style.dash, style.hollow).second);
+        });
+    };
+    told_apart(forces_methods);
+    told_apart(spinning_methods);
+    std::set<std::string> colours;
+    for (const Family family : families) colours.insert(style_of(Look{family}).light);
+    CHECK(colours.size() == families.size());
 }
 
-TEST_CASE("hyphens and case do not matter, an addition makes a variant") {
-    CHECK(style_of("Dormand\u2013Prince 5(4)").family == Family::runge_kutta);
-    CHECK(style_of("kahan\u2010li 8").mark == style_of("Kahan-Li 8").mark);
-    for (const char* variant : {"Verlet, naive", "Verlet (naive)", "Verlet: naive"}) {
-        const Style style = style_of(variant), base = style_of("Verlet");
-        CHECK(is_method(variant));
-        CHECK(style.light == base.light);
-        CHECK(style.mark == base.mark);
-        CHECK(style.hollow);
-        CHECK(style.dash != base.dash);
-    }
-    CHECK_FALSE(is_method("Verlets"));
-    CHECK(style_of("").family == Family::plain);
+TEST_CASE("a variant has the colour and mark of its method, hollow and finely dashed") {
+    const Style style = style_of(variant(methods::verlet.look)), base = style_of(methods::verlet.look);
+    CHECK(style.light == base.light);
+    CHECK(style.mark == base.mark);
+    CHECK(style.hollow);
+    CHECK(style.dash != base.dash);
 }
 
 TEST_CASE("what is no method looks like none, and each of several differently") {
-    CHECK_FALSE(is_method("60 Hz"));
     for (int i = 0; i < 12; ++i) {
-        CHECK(style_of("60 Hz", i).family == Family::plain);
+        CHECK(plain_style(i).family == Family::plain);
         for (int k = 0; k < i; ++k) {
-            const Style a = style_of("60 Hz", i), b = style_of("60 Hz", k);
+            const Style a = plain_style(i), b = plain_style(k);
             CHECK((a.mark != b.mark || a.hollow != b.hollow));
         }
     }
@@ -130,20 +105,19 @@ TEST_CASE("names can be read in their colours, on light paper and dark") {
         CHECK(contrast(style.light, "#FFFFFF") >= 4.5);
         CHECK(contrast(style.dark, "#15181C") >= 4.5);
     };
-    for (const char* name : methods) readable(style_of(name));
-    for (int i = 0; i < 6; ++i) readable(style_of("plain", i));
+    for (const Family family : families) readable(style_of(Look{family}));
+    for (int i = 0; i < 6; ++i) readable(plain_style(i));
 }
 
 TEST_CASE("families stay apart for eyes that do not see red, green or blue") {
-    constexpr std::array families{"Euler", "Verlet", "RK4", "implicit Euler", "exponential kick",
-                                  "exact", "Bullet"};
     for (const Matrix& eyes : {everyone, without_red, without_green, without_blue})
-        for (const char* a : families)
-            for (const char* b : families) {
-                if (std::string(a) >= b) continue;
-                INFO(a << ", " << b);
+        for (const Family a : families)
+            for (const Family b : families) {
+                if (a >= b) continue;
+                INFO(int(a) << ", " << int(b));
                 for (const auto colour : {&Style::light, &Style::dark}) {
-                    const Light p = seen(style_of(a).*colour, eyes), q = seen(style_of(b).*colour, eyes);
+                    const Light p = seen(style_of(Look{a}).*colour, eyes),
+                                q = seen(style_of(Look{b}).*colour, eyes);
                     CHECK(std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]) > 10);  // 2.3 is just noticeable
                 }
             }

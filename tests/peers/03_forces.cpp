@@ -2,200 +2,18 @@
 // run, the same compiler and flags. Both sides get the least state a scene needs (two numbers, four for the
 // planet).
 //   peers_03_forces [--check] [--out DIR]    --check: fail where a point of odeint's is ahead of all of ours
-#include <boost/numeric/odeint.hpp>
-#include <boost/numeric/odeint/stepper/symplectic_rkn_sb3a_m4_mclachlan.hpp>
 #include <cstring>
 #include <iostream>
 #include <nutshell/chart/chart.hpp>
-#include <nutshell/forces_methods.hpp>
-#include <nutshell/forces_scenes.hpp>
-#include <nutshell/lab/output.hpp>
-#include <nutshell/lab/run.hpp>
 #include <nutshell/log_hamiltonian.hpp>
+#include "03_odeint.hpp"
 
-namespace ode = boost::numeric::odeint;
 using namespace nutshell;
+using namespace nutshell::peers;
 
 namespace {
 
 constexpr double margin = 1.5;  // a ratio of times that noise may make
-
-struct Point {
-    std::string method, how;
-    double seconds, error;  // of the whole run
-};
-
-/// A scene as both sides see it: y' = rate(y), y of N numbers, error(y, t) in metres.
-template <std::size_t N>
-struct Problem {
-    std::string id, name, unit;
-    std::array<double, N> start;
-    double duration, worst;  // runs that are off by more are not compared
-    double round_off;        // errors below this are chance on both sides: they count as equal
-    bool final_error_only;
-};
-
-struct Spring2 : Problem<2> {
-    MassOnSpring scene;
-    explicit Spring2(double ratio)
-        : Problem<2>{ratio == 0 ? "S2" : "S2d",
-                     ratio == 0 ? "mass on a spring, 10 s" : "damped spring, 10 s",
-                     "m",
-                     {1, 0},
-                     10,
-                     0.1,
-                     1e-12,
-                     false},
-          scene(MassOnSpring::with_damping(ratio)) {}
-    template <class Y>
-    void rate(const Y& y, Y& dy) const {
-        dy[0] = y[1], dy[1] = -scene.stiffness * y[0] - scene.drag * y[1];
-    }
-    template <class Q>
-    void force(const Q& q, Q& f) const {
-        f[0] = -scene.stiffness * q[0];
-    }
-    template <class Y>
-    double error(const Y& y, double t) const {
-        return std::abs(y[0] - scene.exact(t).position.x());
-    }
-};
-
-struct Fall2 : Problem<2> {
-    FallingWithDrag scene;
-    Fall2() : Problem<2>{"S3", "falling with linear drag, 5 s", "m", {0, 0}, 5, 5, 1e-12, false} {}
-    template <class Y>
-    void rate(const Y& y, Y& dy) const {
-        dy[0] = y[1], dy[1] = -earth_gravity - scene.drag * y[1];
-    }
-    template <class Y>
-    double error(const Y& y, double t) const {
-        return std::abs(y[0] - scene.exact(t).position.y());
-    }
-};
-
-struct Planet4 : Problem<4> {
-    Planet scene = Planet::for_orbits(100);
-    Planet4()
-        : Problem<4>{"S5", "planet, e = 0.6, 100 orbits", "a", {0.4, 0, 0, 2}, 200 * pi, 0.1, 5e-10, true} {}
-    template <class Y>
-    void rate(const Y& y, Y& dy) const {
-        const double r2 = y[0] * y[0] + y[1] * y[1], k = -1 / (r2 * std::sqrt(r2));
-        dy[0] = y[2], dy[1] = y[3], dy[2] = k * y[0], dy[3] = k * y[1];
-    }
-    template <class Q>
-    void force(const Q& q, Q& f) const {
-        const double r2 = q[0] * q[0] + q[1] * q[1], k = -1 / (r2 * std::sqrt(r2));
-        f[0] = k * q[0], f[1] = k * q[1];
-    }
-    template <class Y>
-    double error(const Y& y, double t) const {
-        const Vector3 p = scene.exact(t).position;
-        return std::hypot(y[0] - p.x(), y[1] - p.y());
-    }
-};
-
-/// Errors are collected in a run of their own, so that observing costs no time in the timed one.
-template <class Scene>
-struct Errors {
-    const Scene& scene;
-    double largest = 0, last = 0;
-    template <class Y>
-    void observe(const Y& y, double t) {
-        last = scene.error(y, t), largest = std::max(largest, last);
-    }
-    double result() const { return scene.final_error_only ? last : largest; }
-};
-
-/// A whole run with every call in it inlined, theirs and ours alike: what a program that runs this one method
-/// would do. Left to itself, g++ decides by the size of this file which inner step becomes a call, and a call
-/// costs a factor of two.
-template <class Work>
-[[gnu::noinline, gnu::flatten]] auto run_once(const Work& work) {
-    return work([](const auto&, double) {});
-}
-
-/// `work(observe)` makes the whole run; timed without an observer, measured with it.
-template <class Scene, class Work>
-Point point(const Scene& scene, const std::string& method, const std::string& how, const Work& work) {
-    Errors<Scene> errors{scene};
-    work([&](const auto& y, double t) {
-        if (t > 0 && (!scene.final_error_only || t > 0.999 * scene.duration)) errors.observe(y, t);
-    });
-    const double seconds = lab::time_of([&] { lab::keep(run_once(work)); }, 5, 1e-3);
-    return {method, how, seconds, errors.result()};
-}
-
-// --- odeint
-
-template <class Y, class System, class Stepper, class Observer>
-Y odeint_steps(Y y, const System& system, Stepper stepper, long steps, double dt, const Observer& observe) {
-    for (long i = 0; i < steps; ++i) {
-        stepper.do_step(system, y, static_cast<double>(i) * dt, dt);
-        observe(y, static_cast<double>(i + 1) * dt);
-    }
-    return y;
-}
-
-template <class Scene, class Stepper>
-void odeint_fixed(std::vector<Point>& points, const Scene& scene, const std::string& name, Stepper,
-                  const std::vector<long>& steps) {
-    for (const long n : steps)
-        points.push_back(
-            point(scene, "odeint " + name, std::to_string(n) + " steps", [&](const auto& observe) {
-                const auto system = [&scene](const auto& at, auto& dy, double) { scene.rate(at, dy); };
-                return odeint_steps(scene.start, system, Stepper(), n,
-                                    scene.duration / static_cast<double>(n), observe);
-            }));
-}
-
-template <class Stepper, class Scene>
-void odeint_controlled(std::vector<Point>& points, const Scene& scene, const std::string& name,
-                       const std::vector<double>& tolerances) {
-    for (const double tolerance : tolerances)
-        points.push_back(
-            point(scene, "odeint " + name + ", controlled", "tolerance " + lab::rounded(tolerance),
-                  [&](const auto& observe) {
-                      auto y = scene.start;
-                      const auto system = [&](const auto& at, auto& dy, double) { scene.rate(at, dy); };
-                      ode::integrate_adaptive(ode::make_controlled<Stepper>(tolerance, tolerance), system, y,
-                                              0.0, scene.duration, scene.duration / 1000,
-                                              [&](const auto& at, double t) { observe(at, t); });
-                      return y;
-                  }));
-}
-
-template <std::size_t D, class Scene, class Stepper>
-void odeint_nystroem(std::vector<Point>& points, const Scene& scene, const std::string& name, Stepper,
-                     const std::vector<long>& steps) {
-    using Half = std::array<double, D>;
-    for (const long n : steps)
-        points.push_back(
-            point(scene, "odeint " + name, std::to_string(n) + " steps", [&](const auto& observe) {
-                Stepper stepper;
-                std::pair<Half, Half> s;
-                std::copy_n(scene.start.begin(), D, s.first.begin()),
-                    std::copy_n(scene.start.begin() + D, D, s.second.begin());
-                const double dt = scene.duration / static_cast<double>(n);
-                const auto system = [&](const Half& q, Half& f) { scene.force(q, f); };
-                for (long i = 0; i < n; ++i) {
-                    stepper.do_step(system, s, static_cast<double>(i) * dt, dt);
-                    observe(s.first, static_cast<double>(i + 1) * dt);
-                }
-                return s;
-            }));
-}
-
-template <std::size_t N, class Scene>
-void odeint_all(std::vector<Point>& points, const Scene& scene, const std::vector<long>& steps) {
-    using Y = std::array<double, N>;
-    odeint_fixed(points, scene, "rk4", ode::runge_kutta4<Y>(), steps);
-    odeint_fixed(points, scene, "dopri5", ode::runge_kutta_dopri5<Y>(), steps);
-    odeint_fixed(points, scene, "rkf78", ode::runge_kutta_fehlberg78<Y>(), steps);
-    const std::vector<double> tolerances{1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12, 1e-14};
-    odeint_controlled<ode::runge_kutta_dopri5<Y>>(points, scene, "dopri5", tolerances);
-    odeint_controlled<ode::runge_kutta_fehlberg78<Y>>(points, scene, "rkf78", tolerances);
-}
 
 // --- ours
 
@@ -218,16 +36,17 @@ void our_general(std::vector<Point>& points, const Scene& scene, const Method& m
     constexpr int N = static_cast<int>(std::tuple_size_v<decltype(scene.start)>);
     const FlatScene<Scene, N> flat_scene{scene};
     for (const long n : steps)
-        points.push_back(point(scene, method.name, std::to_string(n) + " steps", [&](const auto& observe) {
-            const double dt = scene.duration / static_cast<double>(n);
-            auto step = method.start(flat_scene);
-            auto y = flat_scene.start;
-            for (long i = 0; i < n; ++i) {
-                y = step(y, flat_scene, static_cast<double>(i) * dt, dt);
-                observe(y, static_cast<double>(i + 1) * dt);
-            }
-            return y;
-        }));
+        points.push_back(
+            point(scene, method.name, method.look, std::to_string(n) + " steps", [&](const auto& observe) {
+                const double dt = scene.duration / static_cast<double>(n);
+                auto step = method.start(flat_scene);
+                auto y = flat_scene.start;
+                for (long i = 0; i < n; ++i) {
+                    y = step(y, flat_scene, static_cast<double>(i) * dt, dt);
+                    observe(y, static_cast<double>(i + 1) * dt);
+                }
+                return y;
+            }));
 }
 
 template <class Scene>
@@ -237,7 +56,8 @@ void our_controlled(std::vector<Point>& points, const Scene& scene) {
     for (const double tolerance : {scene.final_error_only ? 1e-5 : 1e-2, 1e-4, 1e-6, 1e-8, 1e-10,
                                    1e-12})  // a coarse one loses the planet
         points.push_back(point(scene, std::string(methods::dormand_prince.name) + ", controlled",
-                               "tolerance " + lab::rounded(tolerance), [&](const auto& observe) {
+                               variant(methods::dormand_prince.look), "tolerance " + lab::rounded(tolerance),
+                               [&](const auto& observe) {
                                    return adaptive(flat_scene.start, flat_scene, 0, scene.duration,
                                                    {tolerance, tolerance}, scene.duration / 1000, observe);
                                }));
@@ -245,23 +65,25 @@ void our_controlled(std::vector<Point>& points, const Scene& scene) {
 
 void our_spring(std::vector<Point>& points, const Spring2& scene, const std::vector<long>& steps) {
     for (const long n : steps)
-        points.push_back(point(
-            scene, methods::exact_propagator.name, std::to_string(n) + " steps", [&](const auto& observe) {
-                const double dt = scene.duration / static_cast<double>(n);
-                const Eigen::Matrix2d step = oscillation(scene.scene.omega(), scene.scene.damping_rate(), dt);
-                Eigen::Vector2d y(1, 0);
-                for (long i = 0; i < n; ++i) {
-                    y = step * y;
-                    observe(y, static_cast<double>(i + 1) * dt);
-                }
-                return y;
-            }));
+        points.push_back(point(scene, methods::exact_propagator.name, methods::exact_propagator.look,
+                               std::to_string(n) + " steps", [&](const auto& observe) {
+                                   const double dt = scene.duration / static_cast<double>(n);
+                                   const Eigen::Matrix2d step =
+                                       oscillation(scene.scene.omega(), scene.scene.damping_rate(), dt);
+                                   Eigen::Vector2d y(1, 0);
+                                   for (long i = 0; i < n; ++i) {
+                                       y = step * y;
+                                       observe(y, static_cast<double>(i + 1) * dt);
+                                   }
+                                   return y;
+                               }));
 }
 
 void our_fall(std::vector<Point>& points, const Fall2& scene, const std::vector<long>& steps) {
     for (const long n : steps)
         points.push_back(point(
-            scene, methods::exponential_kick.name, std::to_string(n) + " steps", [&](const auto& observe) {
+            scene, methods::exponential_kick.name, methods::exponential_kick.look,
+            std::to_string(n) + " steps", [&](const auto& observe) {
                 PointMass s = scene.scene.start;
                 const double dt = scene.duration / static_cast<double>(n);
                 for (long i = 0; i < n; ++i) {
@@ -276,8 +98,8 @@ template <class Method>
 void our_clock(std::vector<Point>& points, const Planet4& scene, const Method& method,
                const std::vector<long>& steps_an_orbit) {
     for (const long n : steps_an_orbit)
-        points.push_back(
-            point(scene, method.name, std::to_string(n) + " steps an orbit", [&](const auto& observe) {
+        points.push_back(point(
+            scene, method.name, method.look, std::to_string(n) + " steps an orbit", [&](const auto& observe) {
                 const TimedPlanet end = run_until({scene.scene.start}, method.start(scene.scene),
                                                   scene.duration, 2 * pi / static_cast<double>(n));
                 observe(std::array{end.body.position.x(), end.body.position.y()}, scene.duration);
@@ -286,10 +108,6 @@ void our_clock(std::vector<Point>& points, const Planet4& scene, const Method& m
 }
 
 // --- the comparison
-
-bool is_peer(const Point& p) {
-    return p.method.rfind("odeint", 0) == 0;
-}
 
 /// The best of ours against one point of theirs: the least time of ours that is at least as accurate, over
 /// theirs.
@@ -317,13 +135,13 @@ bool compare(const Scene& scene, const std::vector<Point>& all, const std::files
     double worst = 0;
     bool ahead = true;
     for (const Point& p : all) {
-        data.add({scene.id, p.method, p.how, lab::exact_digits(p.seconds), lab::exact_digits(p.error)});
+        data.add({scene.id, p.method, p.how, p.seconds, p.error});
         if (!(p.error <= scene.worst)) continue;
         if (chart.series.empty() || chart.series.back().name != p.method) {
             chart.series.push_back({p.method});
-            if (is_peer(p)) chart.series.back().style = "Boost.odeint";
+            chart.series.back().look = p.look;
         }
-        chart.series.back().x.push_back(p.seconds), chart.series.back().y.push_back(std::max(p.error, 1e-16));
+        chart.series.back().add(p.seconds, std::max(p.error, 1e-16));
         chart.series.back().notes.push_back(p.how);
         if (is_peer(p)) {
             const double ratio = behind(p, all, scene.round_off);

@@ -6,8 +6,8 @@
 //     chart.subtitle = "Planet, e = 0.6, one orbit. Down and left is better.";
 //     chart.x = {"force evaluations", Scale::logarithmic};
 //     chart.y = {"largest position error [m]", Scale::logarithmic};
-//     chart.series.push_back({"Euler", euler_cost, euler_error});
-//     chart.series.push_back({"Verlet", verlet_cost, verlet_error});
+//     chart.series.push_back(series_of(methods::euler));     // a method's name and look
+//     chart.series.back().add(euler_cost, euler_error);
 //     chart.tolerance = {1e-3, "1 mm: a pixel at 2 m"};
 //     chart.guides = {-1, -2, -4};
 //     chart.ring_cheapest = true;
@@ -37,7 +37,7 @@ struct Axis {
 };
 
 enum class Draw {
-    as_suits,  ///< line and marks up to 40 points, a line beyond; ghost if the style's family is exact
+    as_suits,  ///< line and marks up to 40 points, a line beyond; ghost if the look's family is exact
     line_and_marks,
     line,
     marks,
@@ -52,7 +52,6 @@ struct Series {
     std::string name = {};  ///< written beside its right end; empty = not written
     std::vector<double> x = {}, y = {};
     Draw draw = Draw::as_suits;
-    std::string style = {};               ///< look like this method; empty = like `name`
     std::vector<std::string> notes = {};  ///< for the tooltips, one a point: "dt = 1/60 s"
     std::optional<Look> look = {};        ///< of the method it is; none = no method: the next plain style
     bool like_last = false;               ///< in the colours of the series before it: its floor, its theory
@@ -88,9 +87,8 @@ struct Region {
     double left = 0, right = 0, bottom = 0, top = 0;  ///< the grid's first and last columns and rows
     int columns = 0, rows = 0;
     std::vector<double> values =
-        {};                  ///< row by row from the bottom, each from the left; not finite = outside
-    std::string style = {};  ///< look like this method; empty = like `name`
-    std::optional<Look> look = {};
+        {};                         ///< row by row from the bottom, each from the left; not finite = outside
+    std::optional<Look> look = {};  ///< as of a Series
 };
 
 /// One row of a bar chart: a bar from zero on a linear axis, a dot on a logarithmic one.
@@ -98,9 +96,8 @@ struct Bar {
     std::string name = {};
     double value = 0;
     double floor =
-        automatic;  ///< the least the machine could do: a tick; the ratio is written at the bar's end
-    std::string style = {};  ///< look like this method; empty = like `name`
-    std::string text = {};   ///< at the bar's end; empty = the value and its ratio to the floor
+        automatic;          ///< the least the machine could do: a tick; the ratio is written at the bar's end
+    std::string text = {};  ///< at the bar's end; empty = the value and its ratio to the floor
     std::optional<Look> look = {};
 };
 

@@ -26,6 +26,21 @@ chart::Figure work_figure(const std::vector<Curve>& curves, const std::vector<Le
 /// Prints what the need takes, and keeps it: KEY.need, and KEY.METHOD.steps, .step, .evaluations.
 void report_least(Report& report, const std::string& key, const std::vector<Least>& all, const Need& need);
 
+/// Prints the observed order of each method with these numbers of steps, and keeps it: KEY.METHOD.order. Not
+/// of those whose error is round-off, which has none.
+template <class Scene>
+void report_orders(Report& report, const std::string& key, const Scene& scene,
+                   const std::vector<Entry<Scene>>& methods, const std::vector<long>& steps) {
+    Table table{{"method", {"order", "%.2f"}}, {}};
+    for (const auto& method : methods) {
+        if (method.measure(scene, steps.back()).max_error < 1e-12) continue;
+        const double order = order_of(scene, method, steps);
+        table.add({method.name, order});
+        report.number(key + "." + key_of(method.name) + ".order", order);
+    }
+    report.print(table);
+}
+
 using StudyWords = Plan;
 
 /// Writes KEY_need.svg (what the need costs), KEY.svg (error against cost) and KEY.csv (all runs).

@@ -31,6 +31,11 @@ class Report {
     /// page quotes is listed by `book/build.sh --unquoted`, unless `shown` names the chart that shows it.
     void number(const std::string& name, double value, const std::string& unit = "",
                 const std::string& shown = "");
+    template <std::integral Whole>
+    void number(const std::string& name, Whole value, const std::string& unit = "",
+                const std::string& shown = "") {
+        number(name, static_cast<double>(value), unit, shown);
+    }
     void data(const std::string& file, const Table& table);  ///< writes a CSV with provenance on top
     /// Writes KEY.svg, and its points as KEY.csv: series, x, y.
     void draw(const std::string& key, const chart::Chart& chart);
