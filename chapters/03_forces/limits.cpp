@@ -39,8 +39,8 @@ void limits_table(lab::Report& report) {
             const double found =
                 lab::stability_limit(stable, predicted / 2, predicted * 1.1, 1e-3);
             const std::string key = "limit." + method.key() + "." + c.key;
-            report.number(key, predicted);
-            report.number(key + ".found", found);
+            report.number(key, predicted, "", "limits.csv");
+            report.number(key + ".found", found, "", "limits.csv");
             cells.push_back(found);
         }
         table.add(cells);

@@ -131,7 +131,7 @@ void springs(lab::Report& report) {
     const MassOnSpring damped = MassOnSpring::with_damping(ratio);
     report.heading("Damped spring: damping ratio " + lab::rounded(ratio));
     auto entries = lab::entries<MassOnSpring>(damped_methods);
-    lab::report_orders(report, "damped", damped, entries, {2000, 4000, 8000});
+    lab::report_orders(report, "damped", damped, entries, {2000, 4000, 8000}, 1e-12);
     entries.push_back(lab::entry<MassOnSpring>(methods::exact_propagator));
     cost(report, damped, entries,
          {.key = "damped",

@@ -27,13 +27,14 @@ chart::Figure work_figure(const std::vector<Curve>& curves, const std::vector<Le
 void report_least(Report& report, const std::string& key, const std::vector<Least>& all, const Need& need);
 
 /// Prints the observed order of each method with these numbers of steps, and keeps it: KEY.METHOD.order. Not
-/// of those whose error is round-off, which has none.
+/// of those whose last error is below `round_off`, which has none.
 template <class Scene>
 void report_orders(Report& report, const std::string& key, const Scene& scene,
-                   const std::vector<Entry<Scene>>& methods, const std::vector<long>& steps) {
+                   const std::vector<Entry<Scene>>& methods, const std::vector<long>& steps,
+                   double round_off = 0) {
     Table table{{"method", {"order", "%.2f"}}, {}};
     for (const auto& method : methods) {
-        if (method.measure(scene, steps.back()).max_error < 1e-12) continue;
+        if (method.measure(scene, steps.back()).max_error < round_off) continue;
         const double order = order_of(scene, method, steps);
         table.add({method.name, order});
         report.number(key + "." + key_of(method.name) + ".order", order);

@@ -44,8 +44,11 @@ struct Table {
     std::vector<std::vector<Cell>> rows;
 
     void add(std::vector<Cell> cells);  ///< a row
-    std::string csv() const;            ///< cells quoted where they need it
-    std::string text() const;           ///< columns aligned for the terminal, numbers to the right
+    template <class Words>
+    requires std::same_as<Words, std::vector<std::string>>
+    void add(const Words& words) { add(std::vector<Cell>(words.begin(), words.end())); }
+    std::string csv() const;   ///< cells quoted where they need it
+    std::string text() const;  ///< columns aligned for the terminal, numbers to the right
 };
 
 }  // namespace nutshell::lab
