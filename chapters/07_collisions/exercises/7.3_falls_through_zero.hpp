@@ -1,0 +1,131 @@
+// Exercise 7.3: when a distance falls through zero, the heart of every time of impact.
+#pragma once
+#include <nutshell/time_of_impact.hpp>
+#include "exercise.hpp"
+
+namespace nutshell::exercises {
+
+struct FallsThroughZero {
+    static constexpr const char *id = "7.3", *function = "falls_through_zero";
+    static constexpr auto subject = NUTSHELL_CALL(falls_through_zero);
+
+    template <class Answer>
+    static void ask(Paper& paper, const Answer& answer) {
+        struct Case {
+            double a, b, c;
+        };
+        for (const auto& [a, b, c] :
+             {Case{-4.9, 3.1, 1.7}, {-4.9, -3.1, 1.7}, {-2.2, 3.1, 1.7}, {-4.9, 1.1, 1.7},
+              {-4.9, 3.1, 0.6},                        // thrown up, thrown down, each varied
+              {1.3, -4.1, 2.2},     {2.6, -4.9, 2.2},  // comes near and leaves again
+              {1.3, -2.1, 2.2},     {1.3, 4.1, 2.2},   // stays away
+              {0, -2.5, 1.5},       {0, 2.5, 1.5},     {0, 0, 1},      // no acceleration
+              {-1e-9, -1, 1},       {1e-9, -1, 1},     {-1e-9, 1, 1},  // hardly any
+              {-4.9, 0, 1.2},       {2, 0, 1.2},                       // from rest
+              {-4.9, -1, 0},        {-4.9, 2, 0},      {3, 1, 0},        {3, -1, 0},
+              {-4.9, 0, 0},  // touches
+              {1.5, -2, -0.25},     {-4.9, 0.5, 0},    {-4.9, 1, 0},     {1, 0.5, 0},
+              {-4.9, 0.0005, 0},    {-4.9, 0, -0.3},   {0.5, 0, -0.2},   {0, 0, -0.2},
+              {-0.3, -0.4, 0.5},    {-4.9, 3, -0.3},   {1, -2, 1}}) {  // overlaps; grazes
+            paper.input("a", a, "b", b, "c", c);
+            const std::optional<double> t = answer(a, b, c);
+            paper.output("it meets: 1, or not: 0", t ? 1.0 : 0.0, 1.0);
+            const double scale = t && *t > 1 ? *t : 1.0;
+            paper.output("the time [s]", t.value_or(-1), scale);
+        }
+    }
+
+#ifndef NUTSHELL_SHEET
+    static About<FallsThroughZero> about() {
+        return {
+            .title = "When does it touch?",
+            .hints =
+                {"It is a quadratic equation. Which of its two roots is a fall through zero "
+                 "from above, which a rise? Draw the parabola for a < 0 and for a > 0.",
+                 "Where b is large, one root is the difference of two numbers that are almost "
+                 "equal. Compute q = -(b + sign(b) sqrt(b^2 - 4ac))/2 first; the roots are "
+                 "q/a and c/q.",
+                 "What touches already (c <= 0) and closes in meets now. For a < 0 take the "
+                 "root that is positive; for a >= 0 it only meets if b < 0, and first at the "
+                 "smaller root, c/q."},
+            .mistakes =
+                {{"the school's formula", "classic: cancellation",
+                  "Slow things under weak gravity touch at times that jump about.",
+                  "Your formula is right on paper, but takes two numbers of almost one size from "
+                  "each other, and divides by zero where there is no acceleration.",
+                  [](double a, double b, double c) -> std::optional<double> {
+                      if (c <= 0 && (b < 0 || (b == 0 && a < 0))) return 0.0;
+                      const double square = b * b - 4 * a * c;
+                      if (!(square >= 0)) return {};
+                      const double t = (-b - std::sqrt(square)) / (2 * a);
+                      if (!(t >= 0)) return {};
+                      return t;
+                  }},
+                 {"the later root", "classic",
+                  "The ball dives through the floor and bounces on "
+                  "its way out, or from behind.",
+                  "You take the other root: there the distance rises through zero.",
+                  [](double a, double b, double c) -> std::optional<double> {
+                      if (c <= 0 && (b < 0 || (b == 0 && a < 0))) return 0.0;
+                      const double square = b * b - 4 * a * c;
+                      if (!(square >= 0)) return {};
+                      const double q = -(b + std::copysign(std::sqrt(square), b)) / 2;
+                      if (a < 0) return q > 0 ? q / a : c / q;
+                      if (b < 0) return a > 0 ? q / a : c / q;
+                      return {};
+                  }},
+                 {"touching is not seen", "classic: c > 0 taken for granted",
+                  "A ball that touches the floor and moves down falls through.",
+                  "What touches already and closes in meets now, at time 0.",
+                  [](double a, double b, double c) -> std::optional<double> {
+                      if (c <= 0) return {};
+                      const double square = b * b - 4 * a * c;
+                      if (!(square >= 0)) return {};
+                      const double q = -(b + std::copysign(std::sqrt(square), b)) / 2;
+                      if (a < 0) return q > 0 ? c / q : q / a;
+                      if (b < 0) return c / q;
+                      return {};
+                  }},
+                 {"an impact in the past", "classic", "Balls that fly apart collide.",
+                  "Your time may lie in the past. What comes nearer no more will not meet.",
+                  [](double a, double b, double c) -> std::optional<double> {
+                      if (c <= 0 && (b < 0 || (b == 0 && a < 0))) return 0.0;
+                      const double square = b * b - 4 * a * c;
+                      if (!(square >= 0)) return {};
+                      const double q = -(b + std::copysign(std::sqrt(square), b)) / 2;
+                      if (a < 0) return q > 0 ? c / q : q / a;
+                      if (b == 0 && a == 0) return {};
+                      return c / q;
+                  }},
+                 {"a straight flight", "classic: gravity forgotten",
+                  "A ball that is thrown upwards never comes down on anything.",
+                  "You use distance over speed. The speed changes on the way: solve the "
+                  "quadratic.",
+                  [](double a, double b, double c) -> std::optional<double> {
+                      if (c <= 0 && (b < 0 || (b == 0 && a < 0))) return 0.0;
+                      if (b < 0) return -c / b;
+                      return {};
+                  }}},
+            .alternatives = {{"root by root",
+                              [](double a, double b, double c) -> std::optional<double> {
+                                  if (c <= 0 && b <= 0 && (b < 0 || a < 0)) return 0.0;
+                                  const double square = b * b - 4 * a * c;
+                                  if (square < 0 || (a >= 0 && b >= 0)) return {};
+                                  const double root = std::sqrt(square);
+                                  return b < 0 ? 2 * c / (root - b) : -(b + root) / (2 * a);
+                              }}},
+            .survivors = {{"0.0 to 0.999 of it", "zero has no fraction"},
+                          {"0.0 without its point", "zero has no fraction"},
+                          {"result to int", "zero has no fraction"},
+                          {"<= to <", "a touch at c = 0 is found by the roots as well"},
+                          {"> to >=", "q is zero only where a touch was found before"},
+                          {"statements 1 and 2 swapped", "neither uses what the other finds"},
+                          {"statements 6 and 7 swapped", "for a < 0 and b < 0 both give c/q"}},
+        };
+    }
+#endif
+};
+
+inline const bool falls_through_zero_entered = enter<FallsThroughZero>();
+
+}  // namespace nutshell::exercises
