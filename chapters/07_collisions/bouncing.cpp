@@ -55,10 +55,12 @@ void zeno_numbers(lab::Report& report, const BouncingBall& scene) {
     std::vector<double> at;
     bounce_by_events(scene, scene.start, 12, [&](double t, const Particle&) { at.push_back(t); });
     report.number("bounce.bounces", static_cast<double>(at.size()));
-    for (const double left : {1.0, 1e-3, 1e-6}) {
+    const std::vector<std::pair<std::string, double>> stretches{
+        {"second", 1}, {"millisecond", 1e-3}, {"microsecond", 1e-6}};
+    for (const auto& [name, left] : stretches) {
         const auto later = std::lower_bound(at.begin(), at.end(), scene.rest_time() - left);
         const auto n = static_cast<double>(later - at.begin());
-        report.number("bounce.before." + lab::rounded(-std::log10(left)), n);
+        report.number("bounce.before." + name, n);
         require(std::abs(n - scene.bounces_until(left)) <= 1,
                 "the row of bounces does not follow its law");
     }
