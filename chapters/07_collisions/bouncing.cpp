@@ -86,7 +86,7 @@ void bouncing(lab::Report& report) {
     ranking.subtitle = "Height within 5 mm (rms) over the first 3 s.";
     ranking.columns = {"steps a second", "processor time [µs]"};
     chart::Chart chart;
-    chart.title = "Smaller steps help one of them";
+    chart.title = "Smaller steps mend one of them";
     chart.subtitle =
         "Error of the height over the first 3 s; mean of 20 runs with about so many steps.";
     chart.x = {"steps a second", chart::Scale::logarithmic};
@@ -141,7 +141,7 @@ void bouncing(lab::Report& report) {
     });
     report.print(table);
     chart::write_svg(ranking, report.path("bounce_need.svg"));
-    chart::write_svg(chart, report.path("bounce_order.svg"));
+    report.draw("bounce_order", chart);
 }
 
 void bad_floors(lab::Report& report) {

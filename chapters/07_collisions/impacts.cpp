@@ -121,9 +121,7 @@ void pool(lab::Report& report) {
                    lab::rounded(kept, "%.12g")});
         const std::string key = e == 1 ? "pool.elastic" : "pool";
         report.number(key + ".impacts", static_cast<double>(impacts));
-        report.number(key + ".momentum_off", off, "kg m/s");
         report.number(key + ".energy_kept", kept);
-        report.number(key + ".energy_off", std::abs(kept - 1));
     }
     report.print(table);
 }
@@ -159,7 +157,7 @@ void too_fast(lab::Report& report) {
     }
     chart.series = {law, point, swept};
     chart.levels_x = {{thickness / dt, "h/dt"}};
-    chart::write_svg(chart, report.path("too_fast.svg"));
+    report.draw("too_fast", chart);
     report.number("too_fast.limit", thickness / dt, "m/s");
     report.number("too_fast.at_20", miss_probability(thickness, 20, dt));
     report.number("too_fast.at_50", miss_probability(thickness, 50, dt));

@@ -41,7 +41,7 @@ void lever_diagram(lab::Report& report) {
     d.arrow(seen(touch), seen(n, 0.55), chart::Quantity::momentum, "J");
     d.arrow(seen(touch), seen(n, -0.55), chart::Quantity::momentum, "−J");
     d.note(seen(Vector3(0.5 * centre_a - 0.12 * v)), "lever of A");
-    d.note(seen(Vector3(0.5 * centre_b - 0.3 * x)), "lever of B");
+    d.note(seen(Vector3(0.5 * centre_b - 0.55 * x)), "lever of B");
     const auto turning = [&](const Vector3& centre, const Vector3& J) {
         const double side = (touch - centre).cross(J).z() > 0 ? 1 : -1;
         d.arc(seen(centre), 0.22, pi / 2 - side * 1.2, pi / 2 + side * 1.2,
@@ -179,7 +179,7 @@ void gaining(lab::Report& report) {
                    " (echo)");
     }
     report.number("gain.slope", scene.slope * degrees, "degrees");
-    chart::write_svg(chart, report.path("gain.svg"));
+    report.draw("gain", chart);
 }
 
 }  // namespace nutshell

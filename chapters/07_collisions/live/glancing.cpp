@@ -78,7 +78,7 @@ class LiveGlancing : public live::Figure {
     }
     pic::Size size() const override { return {960, 440}; }
     pic::Camera camera(pic::Size size) const override {
-        return camera_on({-3.3, -0.5, -2.1}, {2.9, -0.5, 2.1}, {0, 2, 1}, size);
+        return camera_on({-3.6, -0.5, -2.7}, {3.2, -0.5, 1.9}, {0, 2, 1}, size);
     }
     std::vector<live::Number> numbers() const override {
         const Vector3 va = velocity(scene_.a), vb = velocity(scene_.b);

@@ -40,7 +40,7 @@ struct PressedContact {
 // [/pressed]
 
 // [masses]
-/// What one body's part of a contact adds to its mobility [1/kg]: along the normal, eq. (7.d),
+/// What one body's part of a contact adds to its mobility [1/kg]: along the normal, eq. (7.e),
 /// and in all three directions together (the trace of K).
 struct Gains {
     double normal = 0, all = 0;

@@ -25,7 +25,7 @@ struct Contact {
     int feature = 0;        ///< which parts of the shapes touch: the same from step to step
 };
 
-/// Velocity [m/s] of b's point of contact, seen from a's. Source: eq. (66) with eq. (59*).
+/// Velocity [m/s] of b's point of contact, seen from a's. Eq. (7.d): eq. (66) with eq. (59*).
 inline Vector3 contact_velocity(const Body& a, const Body& b, const Contact& at) {
     const Vector3 of_a = velocity(a) + angular_velocity(a).cross(at.point - a.position);
     const Vector3 of_b = velocity(b) + angular_velocity(b).cross(at.point - b.position);
@@ -48,7 +48,7 @@ inline void apply_impulse(Body& a, Body& b, const Contact& at, const Vector3& J)
 
 // [mobility]
 /// How a body's point at `lever` [m] from its centre answers an impulse there: its velocity
-/// changes by K J, K in 1/kg. Eq. (7.d): J/m from the motion, (I^-1 (r x J)) x r from the
+/// changes by K J, K in 1/kg. Eq. (7.e): J/m from the motion, (I^-1 (r x J)) x r from the
 /// turning.
 inline Matrix3 mobility(double inverse_mass, const Matrix3& inverse_inertia,
                         const Vector3& lever) {
@@ -81,7 +81,7 @@ inline Vector3 smooth_impulse(const Matrix3& K, const Vector3& u, const Vector3&
 // [sliding]
 /// The impulse of an impact without bounce through which the contact slides, towards some unit
 /// vector d: along n - mu d, so great that nothing closes in any more. d must be where the velocity
-/// that it leaves points; it is looked for all round. Eq. (7.f).
+/// that it leaves points; it is looked for all round. Eq. (7.g).
 /// @return nothing if no direction is found
 inline std::optional<Vector3> sliding_impulse(const Matrix3& K, const Vector3& u,
                                               const Vector3& n, double mu) {
@@ -130,7 +130,7 @@ inline std::optional<Vector3> sliding_impulse(const Matrix3& K, const Vector3& u
 // [plastic]
 /// The impact without bounce, with Coulomb's friction: afterwards the contact neither closes in
 /// nor slides, if mu times the normal impulse can hold it. Else it slides on, against just as
-/// much. Should no direction of sliding be found, there is no friction. Eqs. (7.e), (7.f).
+/// much. Should no direction of sliding be found, there is no friction. Eqs. (7.f), (7.g).
 /// @param K, u  mobility [1/kg] and relative velocity [m/s] of the contact, n.u < 0
 inline Vector3 plastic_impulse(const Matrix3& K, const Vector3& u, const Vector3& n, double mu) {
     // exercise 7.7
@@ -153,7 +153,7 @@ inline Vector3 clamped_impulse(const Matrix3& K, const Vector3& u, const Vector3
 
 /// Restitution as an echo: the plastic impulse, times 1 + e. It leaves with -e of its closing
 /// speed too; a contact that sticks leaves with -e of its tangential velocity as well. Never
-/// gains energy. Eq. (7.g).
+/// gains energy. Eq. (7.h).
 inline Vector3 echo_impulse(const Matrix3& K, const Vector3& u, const Vector3& n, double e,
                             double mu) {
     return (1 + e) * plastic_impulse(K, u, n, mu);
