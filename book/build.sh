@@ -55,7 +55,13 @@ BOOK_LIST=$list BOOK_PREFIX=$prefix BOOK_PAGES=$pages BOOK_ROOT=$root BOOK_RESUL
 node "$here/weave/katex.cjs" "$katex" "$next" || bad=1
 [ $bad = 0 ] || { echo "book: the complaints above stop the build; nothing was written to $out" >&2; exit 1; }
 cat "$here/style/book.css" "$here/style/pictures.css" "$here/../common/live/live.css" > "$next/book.css"
-[ ! -d "$next/live" ] || cp "$here/../common/live/live.js" "$next/live/"
+if [ -d "$next/live" ]; then
+    {
+        printf "'use strict';\n(() => {\n"
+        for part in gl parts figure page; do cat "$here/../common/live/script/$part.js"; done
+        echo '})();'
+    } > "$next/live/live.js"
+fi
 mkdir -p "$next/fonts"
 for face in Lato-Regular Lato-Bold Lato-Italic; do
     font=$(find -L /usr/share/fonts -name "$face.ttf" 2>/dev/null | head -n 1)

@@ -11,7 +11,7 @@ if (!name) {
     process.exit(process.env.CI === 'true' ? 1 : 77);
 }
 
-/// Opens a page of its own. @return {tell(method, parameters), run(code), hear(listener), close(code)}
+/// Opens a page of its own. @return {tell(method, parameters), media(scheme, motion), go(url), run(code), hear(listener), close(code)}
 async function open() {
     const profile = fs.mkdtempSync(path.join(os.tmpdir(), 'live_'));
     const chromium = spawn(name, ['--headless=new', '--no-first-run', '--disable-dev-shm-usage', '--disable-background-networking',
@@ -41,6 +41,8 @@ async function open() {
     return {
         tell,
         hear: listener => listeners.push(listener),
+        media: (scheme, motion) => tell('Emulation.setEmulatedMedia', {media: '',
+            features: [{name: 'prefers-color-scheme', value: scheme}, {name: 'prefers-reduced-motion', value: motion}]}),
         async go(url) {
             const loaded = new Promise(resolve => listeners.push(function hear(m) {
                 if (m.method === 'Page.loadEventFired') { listeners.splice(listeners.indexOf(hear), 1); resolve(); }

@@ -1,24 +1,11 @@
 // same.cjs MODULE.wasm NATIVE: every figure in every state by every method, 1000 steps, in WebAssembly and by the native
 // program: the same bits, or within what the figure states.
 'use strict';
-const fs = require('fs'), {execFileSync} = require('child_process');
+const {execFileSync} = require('child_process'), {load} = require('./module.cjs');
 const [file, native] = process.argv.slice(2);
 
 (async () => {
-    const module = new WebAssembly.Module(fs.readFileSync(file));
-    let wasm, said = '';
-    const words = (at, n) => Buffer.from(wasm.memory.buffer, at, n).toString();
-    const nothing = new Proxy({}, {get: () => () => 0});
-    const page = {say: (at, n) => { said = words(at, n); }, width: () => 0, now: () => 0, caught: (at, n) => { throw new Error(words(at, n)); }};
-    const env = {...nothing};                                  // OpenGL that does nothing but says that all is well
-    for (const {module: from, name} of WebAssembly.Module.imports(module)) if (from === 'env') env[name] = () => 1;
-    env.glGetShaderiv = env.glGetProgramiv = (id, what, at) => { new Int32Array(wasm.memory.buffer)[at >> 2] = 1; };
-    const instance = await WebAssembly.instantiate(module, {page, env, wasi_snapshot_preview1: nothing});
-    wasm = instance.exports;
-    wasm._initialize();
-    const ask = (name, ...values) => { wasm[name](...values); return JSON.parse(said); };
-    const names = ask('names');
-
+    const {wasm, ask, names} = await load(file);
     let bad = 0, same = 0, near = 0;
     const lines = execFileSync(native, {encoding: 'utf8', maxBuffer: 1e9}).trim().split('\n').map(line => JSON.parse(line.replace(/-?\b(nan|inf)\b/g, 'null')));
     for (const {figure, state, choice, values, numbers} of lines) {

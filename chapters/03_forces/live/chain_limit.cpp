@@ -1,4 +1,5 @@
-// The chain of ten masses whose limits chapter 3 predicts, pulled by the pointer.
+// The chain of ten masses whose limits chapter 3 predicts: it hangs at rest, and past its limit it
+// shakes itself apart. The pointer pulls it.
 #include "net.hpp"
 
 namespace nutshell {
@@ -9,8 +10,7 @@ constexpr double mass = 0.02, stiffness = 50;  // [kg], [N/m]
 
 SpringNet hanging() {
     SpringNet net = chain(10, mass, {stiffness, 0.1}, {0, 0, 0}, {1.1, 0, 0});
-    net.drag = 0;
-    return net;
+    return braked(std::move(net), 0.03, 20);
 }
 
 class LiveChain : public LiveNet {
@@ -26,7 +26,7 @@ class LiveChain : public LiveNet {
                 {.key = "above",
                  .words = "Verlet at 1.05 of its limit",
                  .setting = {2, {1.05 * limit}},
-                 .time = 0.3}};
+                 .time = 0.9}};
     }
     pic::Drawing drawing(double) const override {
         pic::Drawing drawing;

@@ -20,13 +20,7 @@ SpringNet at_rest() {
         const double square = across * (1 - across), arch = 16 * square / (5 - 4 * square);
         net.start.position.z[i] += 0.3 * arch + 0.03 * arch * (3 - 4 * arch * arch);
     }
-    constexpr double dt = 1e-3, seconds = 8;
-    net.drag = 6e-3;
-    auto step = methods::semi_implicit_euler.start(net);
-    for (double t = 0; t < seconds; t += dt) net.start = step(std::move(net.start), net, t, dt);
-    for (std::size_t i = 0; i < n * n; ++i) net.start.velocity.set(i, Vector3::Zero());
-    net.drag = 0;
-    return net;
+    return braked(std::move(net), 6e-3, 8);
 }
 
 const SpringNet& rested() {

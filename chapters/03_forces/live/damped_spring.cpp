@@ -67,6 +67,9 @@ class LiveDamped : public live::Figure {
         if (!(std::abs(run_.newest.position.x()) < 4))
             return "It flew apart after " + digits(double(run_.steps)) + " steps.";
         if (time() < length - 1e-9) return {};
+        if (scene_.energy(run_.newest) > scene_.energy(scene_.start))
+            return "Three periods, and it has more energy than it began with, in spite of the "
+                   "drag. It flies apart.";
         return "Three periods; it was never more than " + digits(std::round(1000 * worst_) / 10) +
                " cm off.";
     }

@@ -12,6 +12,17 @@ namespace pic = picture;
 inline constexpr std::tuple on_a_net{methods::euler, methods::semi_implicit_euler,
                                      methods::verlet, methods::yoshida4, methods::rk4};
 
+/// The net at rest: let go, and braked by drag [kg/s] for some seconds.
+inline SpringNet braked(SpringNet net, double drag, double seconds) {
+    constexpr double dt = 1e-3;
+    net.drag = drag;
+    auto step = methods::semi_implicit_euler.start(net);
+    for (double t = 0; t < seconds; t += dt) net.start = step(std::move(net.start), net, t, dt);
+    for (std::size_t i = 0; i < net.start.size(); ++i) net.start.velocity.set(i, Vector3::Zero());
+    net.drag = 0;
+    return net;
+}
+
 class LiveNet : public live::Figure {
   public:
     std::vector<live::Choice> choices() const override { return live::choices_of(on_a_net); }
@@ -27,6 +38,7 @@ class LiveNet : public live::Figure {
     }
     void begin(const live::Setting& setting) override {
         change(setting);
+        pulled_ = false, shaken_ = 0;
         run_ = live::Run<Particles>(on_a_net, chosen_, net_);
     }
     /// Another step goes on from where it is; another method begins again.
@@ -34,7 +46,7 @@ class LiveNet : public live::Figure {
         require_positive(setting.values.at(0), "the step dt [ms]");
         const bool another = setting.choice != chosen_;
         dt_ = setting.values.at(0) / 1e3, chosen_ = setting.choice;
-        if (another && run_.steps > 0) run_ = live::Run<Particles>(on_a_net, chosen_, net_);
+        if (another && run_.steps > 0) begin(setting);
     }
     double time() const override { return run_.time; }
     double step_size() const override { return dt_; }
@@ -45,9 +57,10 @@ class LiveNet : public live::Figure {
             run_.newest.velocity.set(*held_, Vector3::Zero());
         }
         run_.step(dt_);
+        if (!pulled_ && strays() > 0.03) ++shaken_;  // what nobody pulls stays where it is
     }
     std::string ended() const override {
-        if (farthest() < gone_at_) return {};
+        if (farthest() < gone_at_ && shaken_ < 20) return {};
         const double limit = limit_of(chosen_);
         const std::string how =
             limit > 0 ? ", " + digits(std::round(1000 * dt_ / limit) / 1000) + " of the limit"
@@ -82,15 +95,15 @@ class LiveNet : public live::Figure {
             const double off = (arm - ray.direction * arm.dot(ray.direction)).norm();
             if (off < nearest) nearest = off, held_ = i, depth_ = arm.dot(ray.direction);
         }
-        if (held_) drag(ray);
+        if (held_) drag(ray), pulled_ = true, shaken_ = 0;
         return held_.has_value();
     }
     void drag(const live::Ray& ray) override { hand_ = ray.eye + depth_ * ray.direction - lift_; }
     void release() override { held_.reset(); }
 
   protected:
-    /// @param omega of the fastest mode [rad/s]    @param gone_at  this far from its place it has
-    /// flown apart [m]
+    /// @param net at rest    @param omega of its fastest mode [rad/s]
+    /// @param gone_at  this far from its place it has flown apart, once it was pulled [m]
     /// @param reach of the hand [m]    @param lift  of what is drawn [m]
     LiveNet(SpringNet net, double omega, double gone_at, double reach, const Vector3& lift)
         : net_(std::move(net)), lift_(lift), omega_(omega), gone_at_(gone_at), reach_(reach) {}
@@ -124,6 +137,8 @@ class LiveNet : public live::Figure {
     double farthest() const { return strays(); }
     live::Run<Particles> run_;
     const double omega_, gone_at_, reach_;
+    bool pulled_ = false;
+    int shaken_ = 0;  // steps in which it was not where it should be
     std::optional<std::size_t> held_;
     Vector3 hand_ = Vector3::Zero();
     double depth_ = 0, dt_ = 1e-3;

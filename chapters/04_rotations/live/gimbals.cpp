@@ -1,4 +1,5 @@
-// Three rings in the reader's hand: at a pitch of 90 degrees two of them turn about one axis.
+// Three rings in the reader's hand; the innermost rolls by itself. At a pitch of 90 degrees two of
+// them turn about one axis.
 #include <nutshell/live/figure.hpp>
 #include "../drawings.hpp"
 
@@ -35,23 +36,24 @@ class LiveGimbals : public live::Figure {
                  .setting = {0, {30, -90, 20}},
                  .drawn = true}};
     }
-    void begin(const live::Setting& setting) override {
+    void begin(const live::Setting& setting) override { steps_ = 0, change(setting); }
+    void change(const live::Setting& setting) override {
         angles_ = {setting.values.at(0) * pi / 180, setting.values.at(1) * pi / 180,
                    setting.values.at(2) * pi / 180};
-        steps_ = 0;
     }
-    double time() const override { return static_cast<double>(steps_); }
-    double step_size() const override { return 1; }
+    double time() const override { return static_cast<double>(steps_) * step_size(); }
+    double step_size() const override { return 1.0 / 64; }
     void step() override { ++steps_; }
-    std::string ended() const override { return "It waits for your hand: turn the three rings."; }
-    pic::Drawing drawing(double) const override {
-        pic::Drawing drawing = gimbals(angles_);
+    pic::Drawing drawing(double part) const override {
+        pic::Drawing drawing = gimbals(rolled(std::max(0.0, time() - (1 - part) * step_size())));
         drawing.no_ground().stage({{0, 0.15, 0}, 2.2});
         return drawing;
     }
     pic::Size size() const override { return {480, 480}; }
     pic::Camera camera(pic::Size size) const override {
-        return pic::fit(drawing(1), {-0.5, 0.75, 1}, size, {.margin = 0.02});
+        pic::Drawing room = gimbals(angles_);
+        room.stage({{0, 0.15, 0}, 2.2});
+        return pic::fit(room, {-0.5, 0.75, 1}, size, {.margin = 0.02});
     }
     std::vector<live::Number> numbers() const override {
         const Vector3 roll = rotate(orientation_of(angles_), Vector3::UnitZ());
@@ -59,10 +61,13 @@ class LiveGimbals : public live::Figure {
                  180 / pi * std::acos(std::min(1.0, std::abs(roll.y()))), "°"}};
     }
     std::vector<double> state() const override {
-        return {angles_.yaw, angles_.pitch, angles_.roll};
+        return {angles_.yaw, angles_.pitch, rolled(time()).roll};
     }
 
   private:
+    EulerAngles rolled(double time) const {
+        return {angles_.yaw, angles_.pitch, angles_.roll + 0.8 * time};
+    }
     EulerAngles angles_;
     long steps_ = 0;
 };

@@ -1,154 +1,6 @@
-// live.js: makes <figure class="live" data-chapter="01_newton" data-figure="planet"> move. It knows no figure: what is
+// figure.js: makes one <figure class="live" data-chapter="01_newton" data-figure="planet"> move. It knows no figure: what is
 // drawn, which controls there are and what they do come from the chapter's WebAssembly module. Without this script, without
 // WebGL2, on paper and after a fault the still picture stays.
-'use strict';
-(() => {
-const home = new URL('.', document.currentScript.src);
-window.live_modules = window.live_modules || {};
-
-// --- OpenGL for the module: its calls handed to WebGL2. One context for the whole page, made with the first figure. -----
-let shared = null;
-function context() {
-    if (shared) return shared;
-    const canvas = document.createElement('canvas');
-    const gl = canvas.getContext('webgl2', {alpha: false, antialias: true, depth: true, powerPreference: 'low-power'});
-    if (!gl) throw new Error('This browser gives no WebGL2, so the figure stays still.');
-    canvas.addEventListener('webglcontextlost', event => {      // each figure falls back; the next start makes a new context
-        event.preventDefault();
-        shared = null;
-        for (const figure of figures) if (figure.wasm) figure.fall_back('The graphics were reset. Start it again.');
-    });
-    return shared = {canvas, gl};
-}
-function gl_calls(gl, memory) {
-    const things = [null], spots = [null], spot_of = new Map(), free = [];   // the module has numbers, WebGL has objects
-    const keep = thing => { const i = free.length ? free.pop() : things.length; things[i] = thing; return i; };
-    const drop = (i, how) => { if (i) { gl[how](things[i]); things[i] = null; free.push(i); } };
-    const u32 = () => new Uint32Array(memory().buffer), i32 = () => new Int32Array(memory().buffer);   // anew: it may have grown
-    const f32 = (at, n) => new Float32Array(memory().buffer, at, n), u8 = (at, n) => new Uint8Array(memory().buffer, at, n);
-    const text = at => { const bytes = u8(0), end = bytes.indexOf(0, at); return new TextDecoder().decode(bytes.subarray(at, end)); };
-    const gen = make => (n, at) => { for (let i = 0; i < n; ++i) u32()[(at >> 2) + i] = keep(gl[make]()); };
-    const del = how => (n, at) => { for (let i = 0; i < n; ++i) drop(u32()[(at >> 2) + i], how); };
-    const log = (words, room, at) => {
-        const bytes = new TextEncoder().encode(words || '').subarray(0, room - 1);
-        u8(at, room).set(bytes);
-        u8(at, room)[bytes.length] = 0;
-    };
-    const same = ['Viewport', 'Clear', 'Enable', 'Disable', 'DepthFunc', 'BlendFunc', 'TexParameteri', 'DrawArrays', 'ReadBuffer',
-        'EnableVertexAttribArray'];
-    const calls = Object.fromEntries(same.map(n => ['gl' + n, gl[n[0].toLowerCase() + n.slice(1)].bind(gl)]));
-    let linked = 0;
-    const dispose = () => { for (const thing of things) if (thing) gl['delete' + thing.constructor.name.replace(/^WebGL|Object$/g, '')](thing); };
-    return [dispose, Object.assign(calls, {
-        glCreateShader: kind => keep(gl.createShader(kind)),
-        // the one line in which the shaders of a still and of a moving picture differ
-        glShaderSource: (id, n, at) => gl.shaderSource(things[id], text(u32()[at >> 2]).replace('#version 330 core',
-            '#version 300 es\nprecision highp float; precision highp int; precision highp sampler2DShadow;')),
-        glCompileShader: id => gl.compileShader(things[id]),
-        glGetShaderiv: (id, what, at) => { i32()[at >> 2] = gl.getShaderParameter(things[id], what); },
-        glGetShaderInfoLog: (id, room, length, at) => log(gl.getShaderInfoLog(things[id]), room, at),
-        glDeleteShader: id => drop(id, 'deleteShader'),
-        glCreateProgram: () => keep(gl.createProgram()),
-        glAttachShader: (p, s) => gl.attachShader(things[p], things[s]),
-        glLinkProgram: p => { gl.linkProgram(things[p]); ++linked; },
-        glGetProgramiv: (p, what, at) => { i32()[at >> 2] = gl.getProgramParameter(things[p], what); },
-        glGetProgramInfoLog: (p, room, length, at) => log(gl.getProgramInfoLog(things[p]), room, at),
-        glDeleteProgram: p => drop(p, 'deleteProgram'),
-        glUseProgram: p => gl.useProgram(things[p]),
-        glGetUniformLocation(p, name) {                         // names are literals: the same address is the same name
-            const key = p * 0x100000000 + name;
-            let at = spot_of.get(key);
-            if (at === undefined) spot_of.set(key, at = spots.push(gl.getUniformLocation(things[p], text(name))) - 1);
-            return at;
-        },
-        glUniform1i: (at, x) => gl.uniform1i(spots[at], x),
-        glUniform1f: (at, x) => gl.uniform1f(spots[at], x),
-        glUniform2fv: (at, n, v) => gl.uniform2fv(spots[at], f32(v, 2 * n)),
-        glUniform3fv: (at, n, v) => gl.uniform3fv(spots[at], f32(v, 3 * n)),
-        glUniformMatrix3fv: (at, n, t, v) => gl.uniformMatrix3fv(spots[at], !!t, f32(v, 9 * n)),
-        glUniformMatrix4fv: (at, n, t, v) => gl.uniformMatrix4fv(spots[at], !!t, f32(v, 16 * n)),
-        glGenVertexArrays: gen('createVertexArray'), glDeleteVertexArrays: del('deleteVertexArray'),
-        glGenBuffers: gen('createBuffer'), glDeleteBuffers: del('deleteBuffer'),
-        glGenTextures: gen('createTexture'), glDeleteTextures: del('deleteTexture'),
-        glGenFramebuffers: gen('createFramebuffer'), glDeleteFramebuffers: del('deleteFramebuffer'),
-        glBindVertexArray: i => gl.bindVertexArray(things[i]),
-        glBindBuffer: (where, i) => gl.bindBuffer(where, things[i]),
-        glBindTexture: (where, i) => gl.bindTexture(where, things[i]),
-        glBindFramebuffer: (where, i) => gl.bindFramebuffer(where, things[i]),      // 0: the canvas
-        glBufferData: (where, bytes, at, use) => at ? gl.bufferData(where, u8(at, bytes), use) : gl.bufferData(where, bytes, use),
-        glVertexAttribPointer: (i, n, kind, unit, stride, at) => gl.vertexAttribPointer(i, n, kind, !!unit, stride, at),
-        glTexImage2D: (where, level, inside, w, h, edge, format, kind) => gl.texImage2D(where, level, inside, w, h, edge, format, kind, null),
-        glFramebufferTexture2D: (where, place, kind, i, level) => gl.framebufferTexture2D(where, place, kind, things[i], level),
-        glDrawBuffers: (n, at) => gl.drawBuffers([...u32().subarray(at >> 2, (at >> 2) + n)]),
-        glDrawElements: (kind, n, type, at) => gl.drawElements(kind, n, type, at),
-        glDepthMask: on => gl.depthMask(!!on),
-        glColorMask: (r, g, b, a) => gl.colorMask(!!r, !!g, !!b, !!a),
-    })];
-}
-
-// --- a chapter's module: a script beside this one, loaded when its first figure is started --------------------------------
-const compiled = new Map();
-function module_of(chapter) {
-    if (!compiled.has(chapter)) compiled.set(chapter, (async () => {
-        if (!live_modules[chapter]) await new Promise((resolve, reject) => {
-            const script = Object.assign(document.createElement('script'), {src: new URL(chapter + '.js', home).href, onload: resolve,
-                onerror: () => reject(new Error(`The file live/${chapter}.js is missing: ./course run makes it.`))});
-            document.head.append(script);
-        });
-        const bytes = Uint8Array.from(atob(live_modules[chapter]), c => c.charCodeAt(0));
-        delete live_modules[chapter];
-        const unpacked = new Blob([bytes]).stream().pipeThrough(new DecompressionStream('gzip'));
-        return WebAssembly.compile(await new Response(unpacked).arrayBuffer());
-    })());
-    return compiled.get(chapter);
-}
-
-// --- small helpers -------------------------------------------------------------------------------------------------------
-const still = matchMedia('(prefers-reduced-motion: reduce)'), dark = matchMedia('(prefers-color-scheme: dark)');
-const make = (name, properties = {}, ...inside) => { const e = Object.assign(document.createElement(name), properties); e.append(...inside); return e; };
-const button = (words, onclick) => make('button', {type: 'button', textContent: words, onclick});
-const pen = document.createElement('canvas').getContext('2d');
-const raised = n => String(n).replace(/[-\d]/g, c => '⁻⁰¹²³⁴⁵⁶⁷⁸⁹'['-0123456789'.indexOf(c)]);
-function written(value) {
-    if (value === null || !Number.isFinite(value)) return 'lost';
-    const size = Math.abs(value), minus = value < 0 ? '−' : '';
-    if (size === 0) return '0';
-    if (size >= 1e-3 && size < 1e5) return minus + (size >= 100 ? Math.round(size) : size.toPrecision(3));
-    const power = Math.floor(Math.log10(size));
-    return `${minus}${(size / 10 ** power).toPrecision(3)}·10${raised(power)}`;
-}
-const with_unit = (number, unit) => unit === '%' ? `${number} %` : unit ? `${number} ${unit}` : number;
-
-/// A number against time, small: the last run, from its beginning.
-class Trace {
-    constructor(kind) {
-        this.kind = kind;
-        this.element = document.createElementNS('http://www.w3.org/2000/svg', 'svg');
-        this.element.setAttribute('viewBox', '0 0 160 36');
-        this.element.setAttribute('preserveAspectRatio', 'none');
-        this.element.setAttribute('class', 'trace');
-        this.element.setAttribute('aria-hidden', 'true');
-        this.line = this.element.appendChild(document.createElementNS('http://www.w3.org/2000/svg', 'polyline'));
-        this.clear();
-    }
-    clear() { this.points = []; this.line.setAttribute('points', ''); }
-    add(time, value) {
-        const y = this.kind === 'logarithmic' ? Math.log10(Math.max(Math.abs(value ?? NaN), 1e-16)) : value;
-        if (!Number.isFinite(y)) return;
-        const last = this.points.at(-1);
-        if (last && time <= last[0]) return;
-        this.points.push([time, y]);
-        if (this.points.length > 600) this.points = this.points.filter((_, i) => i % 2 === 0);
-    }
-    draw() {
-        if (this.points.length < 8) return;             // after a jump there is no run to show
-        const ys = this.points.map(p => p[1]), most = Math.max(...ys, this.kind === 'linear' ? 0 : -Infinity),
-            least = Math.min(...ys, this.kind === 'linear' ? 0 : Infinity), span = most - least || 1, end = this.points.at(-1)[0] || 1;
-        this.line.setAttribute('points', this.points.map(([t, y]) => `${(160 * t / end).toFixed(1)},${(34 - 32 * (y - least) / span).toFixed(1)}`).join(' '));
-    }
-}
-
-// --- one figure ------------------------------------------------------------------------------------------------------------
 const figures = [];
 class Live {
     constructor(figure) {
@@ -176,6 +28,8 @@ class Live {
         try {
             if (!this.wasm) await this.instantiate();
             if (!this.canvas) this.build();
+            if (!this.figure.classList.contains('lives'))       // as tall as its still was, so that the page does not jump
+                this.stage.style.setProperty('--tall', Math.max(this.stage.clientHeight, 416) + 'px');
             this.figure.classList.add('lives');
             const state = this.controls.states.find(s => s.key === key) || this.controls.states[0];
             this.put(state);
@@ -344,7 +198,9 @@ class Live {
             this.tell();
             this.draw(true);
         } catch { return; }
-        if ((again || ended) && !still.matches) this.play(true);
+        if (!(again || ended) || still.matches) return;
+        if (this.ended) this.play_ends();                       // a figure that is at its end where it begins
+        else this.play(true);
     }
 
     // --- time
@@ -423,41 +279,3 @@ class Live {
         }));
     }
 }
-
-// --- the page ----------------------------------------------------------------------------------------------------------------
-if (typeof WebAssembly === 'object' && 'IntersectionObserver' in window && 'DecompressionStream' in window)
-    for (const figure of document.querySelectorAll('figure.live')) if (figure.querySelector('.sheet')) figures.push(new Live(figure));
-document.addEventListener('visibilitychange', () => { for (const f of figures) { f.last = 0; f.tick(); } });
-still.addEventListener('change', () => { if (still.matches) for (const f of figures) f.play(false); });
-dark.addEventListener('change', () => { for (const f of figures) if (f.wasm) f.draw(true); });
-addEventListener('resize', () => { for (const f of figures) if (f.wasm) f.draw(true); });
-document.addEventListener('click', event => {
-    const link = event.target.closest && event.target.closest('a[data-state]');
-    const live = link && figures.find(f => f.name === link.dataset.figure);
-    if (!live) return;                                          // an ordinary link to the figure
-    event.preventDefault();
-    live.start(link.dataset.state);
-    const box = live.stage.getBoundingClientRect();
-    if (box.top < 0 || box.bottom > innerHeight) live.stage.scrollIntoView({block: 'center', behavior: still.matches ? 'auto' : 'smooth'});
-});
-// ./course live N --mine: the same page on the reader's own answers. Once a second it asks whether they were built again.
-if (window.live_is_mine) {
-    let version = null;
-    const alive = sessionStorage.getItem('alive');
-    if (alive) for (const f of figures) if (JSON.parse(alive).includes(f.name)) f.start();
-    window.live_mine = (stamp, sentence) => {
-        if (version !== null && version !== stamp && !sentence) {
-            sessionStorage.setItem('alive', JSON.stringify(figures.filter(f => f.wasm).map(f => f.name)));
-            location.reload();
-        }
-        if (version !== stamp) for (const f of figures) f.note.textContent = sentence ? sentence + ' (What moves is the last that worked.)' : '';
-        version = stamp;
-    };
-    setInterval(() => {
-        const script = Object.assign(document.createElement('script'), {src: new URL('mine.js?' + Date.now(), home).href});
-        script.onload = script.onerror = () => script.remove();
-        document.head.append(script);
-    }, 1000);
-}
-window.live_figures = figures;                                  // for tests
-})();
