@@ -29,22 +29,27 @@ async function page_of(browser, name, setting = {}) {
 const counted = `window.contexts = new Set(); { const get = HTMLCanvasElement.prototype.getContext;
     HTMLCanvasElement.prototype.getContext = function (kind, ...rest) { const c = get.call(this, kind, ...rest); if (kind === 'webgl2' && c) contexts.add(c); return c; }; }\n`;
 
-/// Inside the page: how far the canvas is from the still, both at half the still's size (edges are smoothed in two ways) and 320
-/// wide at most; mean over all channels, of 255.
+/// Inside the page: how far the canvas is from the still: the mean over all channels of the means of 3 by 3 pixels, of 255. (Edges
+/// are smoothed in two ways, within a pixel.)
 async function distance(figure) {
-    const still = figure.stage.querySelector('.shot img'), width = Math.min(320, still.naturalWidth / 2), height = Math.round(width * still.naturalHeight / still.naturalWidth);
-    const pixels = async source => {
+    const {naturalWidth: width, naturalHeight: height} = figure.stage.querySelector('.shot img');
+    const pixels = source => {
         const canvas = Object.assign(document.createElement('canvas'), {width, height}), pen = canvas.getContext('2d');
-        pen.imageSmoothingQuality = 'high';
         pen.drawImage(source, 0, 0, width, height);
         return pen.getImageData(0, 0, width, height).data;
     };
     // file:// taints a canvas that an image was drawn on, so the test hands the still's bytes in
-    const bitmap = await createImageBitmap(await (await fetch(window.stills[figure.name])).blob());
-    const a = await pixels(bitmap), b = await pixels(figure.canvas);
-    let sum = 0;
-    for (let i = 0; i < a.length; ++i) if (i % 4 < 3) sum += Math.abs(a[i] - b[i]);
-    return sum / (width * height * 3);
+    const a = pixels(await createImageBitmap(await (await fetch(window.stills[figure.name])).blob())), b = pixels(figure.canvas);
+    let sum = 0, count = 0;
+    for (let y = 0; y + 3 <= height; y += 3) for (let x = 0; x + 3 <= width; x += 3) for (let channel = 0; channel < 3; ++channel, ++count) {
+        let apart = 0;
+        for (let k = 0; k < 9; ++k) {
+            const at = 4 * ((y + Math.floor(k / 3)) * width + x + k % 3) + channel;
+            apart += a[at] - b[at];
+        }
+        sum += Math.abs(apart) / 9;
+    }
+    return sum / count;
 }
 
 /// Inside the page: one figure by all its controls. Software draws here, so all but the picture that is compared is drawn coarse.
@@ -57,7 +62,7 @@ async function examine(f, distance, sleep) {
     f.share = coarse;
     await f.start();
     if (!f.wasm) return gone('it does not start');
-    for (let n = 0; n < 60 && !(f.time > 0); ++n) await sleep(50);
+    for (let n = 0; n < 200 && !(f.time > 0); ++n) await sleep(50);
     need(f.time > 0, 'started, and nothing moves');
     f.apply(true); f.play(false);
     const before = f.time;

@@ -51,7 +51,7 @@ class LiveWagon : public live::Figure {
                   pic::palette::body, painted_);
         return drawing;
     }
-    pic::Size size() const override { return {300, 300}; }
+    pic::Size size() const override { return {420, 420}; }
     pic::Camera camera(pic::Size size) const override {
         pic::Drawing room;
         room.add(pic::Ball{.radius = 1.06});

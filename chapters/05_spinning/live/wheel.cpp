@@ -69,7 +69,7 @@ class LiveWheel : public live::Figure {
         add_wheel(drawing, q_.normalized(), {0, 0, 0}, size, 8, colour(), true);
         return drawing;
     }
-    pic::Size size() const override { return {360, 360}; }
+    pic::Size size() const override { return {420, 420}; }
     pic::Camera camera(pic::Size size) const override {
         pic::Drawing room;
         room.add(pic::Ball{.radius = 1.1});
