@@ -75,7 +75,7 @@ class LiveCradle : public live::Figure {
         }
         return drawing;
     }
-    pic::Size size() const override { return {480, 320}; }
+    pic::Size size() const override { return {600, 400}; }
     pic::Camera camera(pic::Size size) const override {
         return camera_on({-1, 0, 0}, {1, 1.2, 0}, {0, 0.1, 1}, size);
     }
