@@ -24,9 +24,9 @@ class ContactMemory {
         }
     }
 
-    /// Gives a contact the impulses it had, if it was there.
-    void recall(PressedContact& c) const {
-        if (table_.empty()) return;
+    /// Gives a contact the impulses it had. @return whether it was there
+    bool recall(PressedContact& c) const {
+        if (table_.empty()) return false;
         for (std::size_t place = place_of(c); table_[place] != 0;
              place = (place + 1) % table_.size()) {
             const PressedContact& old = last_[table_[place] - 1];
@@ -36,8 +36,9 @@ class ContactMemory {
             c.normal_impulse = old.normal_impulse;
             c.friction = old.friction - c.normal.dot(old.friction) * c.normal;
             if (swapped) c.friction = -c.friction;
-            return;
+            return true;
         }
+        return false;
     }
 
   private:

@@ -164,6 +164,7 @@ inline void press(PressedContact& c, Body& a, Body& b, const Mobility& of_a, con
 
     const double normal =
         std::max(0.0, (1 - fade) * c.normal_impulse + mass * c.normal_mass * (speed - s));
+    if (normal == 0 && c.normal_impulse == 0) return;  // open, and stays so
     const Vector3 wanted = c.friction - c.friction_mass * (u - s * c.normal);
     const double limit = want.friction * normal;
     const Vector3 friction =

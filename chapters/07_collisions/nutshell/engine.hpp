@@ -14,7 +14,7 @@ struct World {
     std::vector<Shape> shapes = {};  ///< one for each body
     std::vector<Plane> walls = {};
     Body earth = immovable_body();  ///< what the walls belong to; it takes their impulses
-    Vector3 gravity{0, -9.81, 0};   ///< [m/s^2]
+    Vector3 gravity{0, -earth_gravity, 0};  ///< [m/s^2]
     Surface surface{0, 0.5};        ///< of everything
 
     void add(const Body& body, const Shape& shape) {
@@ -29,6 +29,7 @@ struct Switches {
     int sub_steps = 4;       ///< of one step
     int passes = 1;          ///< round all contacts, in each sub-step
     int relaxing = 1;        ///< passes after the drift, which take out the speed of pushing out
+    int cold = 20;           ///< passes in a step that remembers less than half of its contacts
     bool warm_start = true;  ///< begin with the impulses of the last sub-step
     bool grid = true;        ///< look for contacts next door only; off: every pair
     bool sleep = false;      ///< what lies still for a while is left alone until it is touched
@@ -59,11 +60,13 @@ class Engine {
         push.pyramid = on.pyramid;
         Press relax{h, world.surface.friction, world.surface.restitution, 2 * g * h};
         relax.pyramid = on.pyramid;
+        const bool cold = on.warm_start && 2 * remembered_ < contacts_.size();
+        const int passes = cold ? std::max(on.cold, on.passes) : on.passes;
         for (int k = 0; k < on.sub_steps; ++k) {
             for (std::size_t i = 0; i < world.bodies.size(); ++i)
                 if (moves(world, i)) kick(world.bodies[i], weight(world.bodies[i], world), h);
             start_contacts(world);
-            for (int pass = 0; pass < on.passes; ++pass) press_all(world, push, false);
+            for (int pass = 0; pass < passes; ++pass) press_all(world, push, false);
             drift_all(world, h);
             for (int pass = 0; pass < on.relaxing; ++pass) press_all(world, relax, pass == 0);
             if (on.relaxing == 0) follow_all(world);
@@ -80,6 +83,7 @@ class Engine {
     std::vector<Mobility> mobility_;  // of each body, after the earth's
     std::vector<Vector3> places_;
     std::vector<double> reach_, speed_;
+    std::size_t remembered_ = 0;  // contacts of this step that the last one had
     ContactMemory memory_;
     Sleep sleep_;
     Grid grid_;
@@ -110,12 +114,10 @@ class Engine {
     }
     /// Every contact begins a sub-step with the impulse of the last one, or without.
     void start_contacts(World& world) {
-        for (PressedContact& c : contacts_) {
-            Body &a = body_of(world, c.a), &b = body_of(world, c.b);
-            if (world.surface.restitution > 0)
-                c.closing =
-                    c.normal.dot(contact_velocity(c, a, b, mobility_at(c.a), mobility_at(c.b)));
-        }
+        if (world.surface.restitution > 0)
+            for (PressedContact& c : contacts_)
+                c.closing = c.normal.dot(contact_velocity(c, body_of(world, c.a), body_of(world, c.b),
+                                                          mobility_at(c.a), mobility_at(c.b)));
         for (PressedContact& c : contacts_) {
             if (!on.warm_start) c.normal_impulse = 0, c.friction.setZero();
             if (c.normal_impulse == 0) continue;
@@ -138,7 +140,7 @@ class Engine {
     void find_contacts_of(World& world, double dt) {
         const std::size_t n = world.bodies.size();
         if (on.warm_start) memory_.remember(contacts_);
-        contacts_.clear();
+        contacts_.clear(), remembered_ = 0;
         if (on.sleep) sleep_.start_step(n);
         mobility_.resize(n + 1), places_.resize(n), reach_.resize(n), speed_.resize(n);
         mobility_[0] = mobility_of(world.earth);
@@ -204,7 +206,7 @@ class Engine {
             }
             prepare(c, found, body_of(world, a), body_of(world, b), mobility_at(a),
                     mobility_at(b));
-            if (on.warm_start) memory_.recall(c);
+            if (on.warm_start && memory_.recall(c)) ++remembered_;
         }
     }
 };

@@ -107,7 +107,7 @@ struct Stack {
     std::string name = "stack";
     int boxes = 10;
     double duration = 10;     // [s]
-    Switches switches = {5};  // sub-steps: with 4, boxes drift 5 mm
+    Switches switches = {4};
     Need need{0.003, "m", "drift of any box: one pixel of a picture 3 m across"};
 
     World start() const {

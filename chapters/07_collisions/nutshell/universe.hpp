@@ -1,6 +1,7 @@
 // Chapter 7 · The universe: the source's own program, as printed and repaired. Its sphere, its
 // force (0, -0.01, 0), its start at (0, 2, 0) with L = (0.01, 0, 0), its floor and its step.
 #pragma once
+#include <nutshell/many_turns.hpp>
 #include <nutshell/rest_scenes.hpp>
 
 namespace nutshell {
@@ -37,6 +38,26 @@ struct Universe {
 };
 // [/universe]
 
+// [mended_floor]
+/// The universe's floor, mended, and nothing more: a ball of this radius [m] that is in the floor
+/// is put on it, and if it was on its way down, it leaves with e of its speed. No friction: its
+/// spin stays. Errata E62, E63, E64.
+inline void bounce_on_floor(Body& ball, double radius, double e) {
+    // exercise 7.13
+    if (ball.position.y() >= radius) return;
+    ball.position.y() = radius;
+    if (ball.momentum.y() < 0) ball.momentum.y() = -e * ball.momentum.y();
+    // end 7.13
+}
+
+/// Universe::evolve, mended: kick, drift, collide.
+inline void evolve_mended(const Universe& universe, Body& ball, double dt) {
+    kick(ball, {universe.force}, dt);
+    drift(ball, dt);
+    bounce_on_floor(ball, universe.radius, universe.restitution);
+}
+// [/mended_floor]
+
 // [printed_universe]
 /// The program as printed, in its own float: position, momentum and angular momentum of its one
 /// body, and the matrix R. Only what moves is kept; the errors are the source's.
@@ -47,31 +68,18 @@ struct PrintedUniverse {
     long contacts = 0;
 
     /// Universe::evolve: Euler's step, then the floor that tests the centre, tests no approach
-    /// and takes a tenth of L at every contact (E62-E64).
+    /// and takes a tenth of L at every contact (E62-E64). Its Rotation is chapter 4's.
     void evolve(float dt) {
         const Vector3f v = K, omega = L;
         p = p + v * dt;
         K = K + F * dt;
-        R = rotation(omega * dt) * R;
+        R = printed::product(printed::rotation(omega * dt), R);
         if (p.y() < 0) {
             p.y() = 0;
             K.y() = static_cast<float>(-0.9 * static_cast<double>(K.y()));
             L = 0.9f * L;
             ++contacts;
         }
-    }
-    /// The source's Rotation(v): the axis is v/|v|, 0/0 where |v| is zero or too small to square
-    /// (E52); it turns the wrong way (E51) and stretches (E53).
-    __attribute__((no_sanitize("float-divide-by-zero"))) static Eigen::Matrix3f rotation(
-        const Vector3f& v) {
-        const float angle = std::sqrt(v.x() * v.x() + v.y() * v.y() + v.z() * v.z());
-        const float x = v.x() / angle, y = v.y() / angle, z = v.z() / angle;
-        const float c = std::cos(angle), s = std::sin(angle), t = 1 - c;
-        Eigen::Matrix3f m;
-        m << t * x * x + c, t * x * y + s * z, t * x * z - s * y,  //
-            t * x * y - s * z, t * y * y + c, t * y * z + s * x,   //
-            t * x * z + s * y, t * y * z - s * x, t * z * z + c;
-        return m;
     }
 };
 // [/printed_universe]
