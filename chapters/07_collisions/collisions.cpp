@@ -16,5 +16,11 @@ int main(int argc, char** argv) {
         nutshell::cradle(report);
         nutshell::pictures(report);
         // 07a_piles: rest, stacks, piles, the universe
+        nutshell::stack(report);
+        nutshell::switches(report);
+        nutshell::pile(report);
+        nutshell::dominoes(report);
+        nutshell::universe(report);
+        nutshell::rest_pictures(report);
     });
 }

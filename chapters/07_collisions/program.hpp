@@ -19,5 +19,11 @@ void cradle(lab::Report& report);
 void pictures(lab::Report& report);
 
 // 07a_piles: rest, stacks, piles, the universe
+void stack(lab::Report& report);
+void switches(lab::Report& report);
+void pile(lab::Report& report);
+void dominoes(lab::Report& report);
+void universe(lab::Report& report);
+void rest_pictures(lab::Report& report);
 
 }  // namespace nutshell

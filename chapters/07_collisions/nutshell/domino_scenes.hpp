@@ -10,10 +10,10 @@ namespace nutshell {
 struct DominoRow {
     std::string name = "domino_row";
     int pieces = 20;
-    double spacing = 0.25;         // from one to the next [m]
-    double lean = 12 * pi / 180;   // [rad]; it balances at atan(thickness/height) = 9.1 degrees
+    double spacing = 0.25;        // from one to the next [m]
+    double lean = 12 * pi / 180;  // [rad]; it balances at atan(thickness/height) = 9.1 degrees
     Box piece{{0.04, 0.25, 0.12}};
-    double duration = 4;           // [s]
+    double duration = 4;  // [s]
     Switches switches = {4};
     Need need{0.05, "", "the wave's speed to 5 %: it arrives with the music"};
 
@@ -67,7 +67,8 @@ class DominoWave {
         for (std::size_t i = 0; i < at_.size(); ++i) {
             const double now = DominoRow::lean_of(world.bodies[i]);
             if (at_[i] < 0 && now >= mark)
-                at_[i] = now > before_[i] ? t - (t - last_) * (now - mark) / (now - before_[i]) : t;
+                at_[i] =
+                    now > before_[i] ? t - (t - last_) * (now - mark) / (now - before_[i]) : t;
             before_[i] = now;
         }
         last_ = t;

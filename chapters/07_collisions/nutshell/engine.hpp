@@ -13,9 +13,9 @@ struct World {
     std::vector<Body> bodies = {};
     std::vector<Shape> shapes = {};  ///< one for each body
     std::vector<Plane> walls = {};
-    Body earth = immovable_body();  ///< what the walls belong to; it takes their impulses
+    Body earth = immovable_body();          ///< what the walls belong to; it takes their impulses
     Vector3 gravity{0, -earth_gravity, 0};  ///< [m/s^2]
-    Surface surface{0, 0.5};        ///< of everything
+    Surface surface{0, 0.5};                ///< of everything
 
     void add(const Body& body, const Shape& shape) {
         bodies.push_back(body), shapes.push_back(shape);
@@ -116,8 +116,9 @@ class Engine {
     void start_contacts(World& world) {
         if (world.surface.restitution > 0)
             for (PressedContact& c : contacts_)
-                c.closing = c.normal.dot(contact_velocity(c, body_of(world, c.a), body_of(world, c.b),
-                                                          mobility_at(c.a), mobility_at(c.b)));
+                c.closing =
+                    c.normal.dot(contact_velocity(c, body_of(world, c.a), body_of(world, c.b),
+                                                  mobility_at(c.a), mobility_at(c.b)));
         for (PressedContact& c : contacts_) {
             if (!on.warm_start) c.normal_impulse = 0, c.friction.setZero();
             if (c.normal_impulse == 0) continue;

@@ -92,6 +92,12 @@ class Dice {
     std::uint64_t state_;
 };
 
+/// An orientation by chance.
+inline Quaternion any_orientation(Dice& dice) {
+    const double x = dice(-1, 1), y = dice(-1, 1), z = dice(-1, 1), w = dice(-1, 1);
+    return four_vector({x, y, z}, w).normalized();
+}
+
 /// A floor and four walls, each `half_width` [m] from the y axis.
 inline std::vector<Plane> box_room(double half_width) {
     return {{{0, 1, 0}, 0},
@@ -106,7 +112,7 @@ inline std::vector<Plane> box_room(double half_width) {
 struct Stack {
     std::string name = "stack";
     int boxes = 10;
-    double duration = 10;     // [s]
+    double duration = 10;  // [s]
     Switches switches = {4};
     Need need{0.003, "m", "drift of any box: one pixel of a picture 3 m across"};
 
@@ -129,13 +135,15 @@ struct Stack {
 
 // [pile]
 /// Spheres of radius 0.1 m and 1 kg fall into a box (scene S15): ten layers of wide x wide, 0.215
-/// m apart, the lowest 0.5 m up, each shifted by chance by up to 5 mm in x and z.
+/// m apart, the lowest 0.5 m up, each shifted by chance by up to 5 mm in x and z. Or cubes with
+/// edges of 11.6 cm in their places, each turned by chance.
 struct Pile {
     std::string name = "pile";
-    int wide = 10;        // spheres along a side of a layer; the box grows with them
+    int wide = 10;        // bodies along a side of a layer; the box grows with them
     double duration = 5;  // [s]
     Switches switches = {4};
     std::uint64_t seed = 1;
+    bool cubes = false;
     Need need{0.01, "m", "overlap: a tenth of the radius cannot be seen"};
 
     double half_width() const { return 0.12 * wide; }
@@ -143,15 +151,20 @@ struct Pile {
         World world;
         world.walls = box_room(half_width());
         Dice dice(seed);
+        const Sphere ball{0.1};
+        const Box cube{{0.058, 0.058, 0.058}};  // its corners reach just as far
         for (int y = 0; y < 10; ++y)
             for (int z = 0; z < wide; ++z)
                 for (int x = 0; x < wide; ++x) {
                     const double middle = (wide - 1) / 2.0, shift_x = dice(-0.005, 0.005),
                                  shift_z = dice(-0.005, 0.005);
-                    world.add(solid_ball(1, 0.1,
-                                         {(x - middle) * 0.215 + shift_x, 0.5 + y * 0.215,
-                                          (z - middle) * 0.215 + shift_z}),
-                              Sphere{0.1});
+                    const Vector3 place((x - middle) * 0.215 + shift_x, 0.5 + y * 0.215,
+                                        (z - middle) * 0.215 + shift_z);
+                    if (cubes)
+                        world.add(solid_box(1, cube, place), cube),
+                            world.bodies.back().orientation = any_orientation(dice);
+                    else
+                        world.add(solid_ball(1, ball.radius, place), ball);
                 }
         return world;
     }
@@ -181,8 +194,7 @@ struct RandomRoom {
                          pz = dice(-1.2, 1.2);
             Body body = round ? solid_ball(mass, ball.radius, {px, py, pz})
                               : solid_box(mass, box, {px, py, pz});
-            const double qx = dice(-1, 1), qy = dice(-1, 1), qz = dice(-1, 1), qw = dice(-1, 1);
-            body.orientation = Quaternion(qw, qx, qy, qz).normalized();
+            body.orientation = any_orientation(dice);
             const double vx = dice(-3, 3), vy = dice(-3, 3), vz = dice(-3, 3);
             body.momentum = mass * Vector3(vx, vy, vz);
             const double wx = dice(-5, 5), wy = dice(-5, 5), wz = dice(-5, 5);

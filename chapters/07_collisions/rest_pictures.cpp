@@ -1,0 +1,82 @@
+// The pictures of the second half that do not move: the question, two filmstrips of piles.
+#include <nutshell/picture/picture.hpp>
+#include "piles_drawings.hpp"
+#include "program.hpp"
+
+namespace nutshell {
+
+namespace {
+
+/// The box's edges on the floor and upright.
+void add_room(pic::Drawing& drawing, double half_width, double height) {
+    for (const int x : {-1, 1})
+        for (const int z : {-1, 1}) {
+            const Vector3 foot(x * half_width, 0, z * half_width);
+            drawing.add(
+                pic::Rod{.from = foot, .to = foot + Vector3(0, height, 0), .radius = 0.012});
+        }
+    for (const double y : {0.0, height})
+        drawing.add(pic::Tube{.points = {{-half_width, y, -half_width},
+                                         {half_width, y, -half_width},
+                                         {half_width, y, half_width},
+                                         {-half_width, y, half_width},
+                                         {-half_width, y, -half_width}},
+                              .radius = 0.012});
+}
+
+void film(lab::Report& report, const std::string& file, const Pile& pile, int in_a_layer) {
+    const std::array instants{0.0, 0.5, 1.0, 3.0};
+    const pic::Note note{report.command(),
+                         file,
+                         "our engine",
+                         "1/60 s",
+                         {{"bodies", static_cast<double>(pile.start().bodies.size()), ""}}};
+    pic::save(report.path(file + ".png"), note, [&]() -> pic::Sheet {
+        pic::Sheet sheet;
+        sheet.columns = 2;
+        World world = pile.start();
+        Engine engine(pile.switches);
+        int steps = 0;
+        for (const double at : instants) {
+            for (; steps < std::lround(60 * at); ++steps) engine.step(world, 1 / 60.0);
+            pic::Drawing drawing;
+            const double half = pile.half_width();
+            drawing.stage({{0, 1.2, 0}, 1.6 * half + 0.6});
+            drawing.ground({.height = 0, .spacing = 0.5});
+            add_room(drawing, half, 0.9);
+            for (std::size_t i = 0; i < world.bodies.size(); ++i)
+                add_body(drawing, world, i,
+                         layer_colour(i / static_cast<std::size_t>(in_a_layer), 10));
+            drawing.title(lab::rounded(at) + " s");
+            pic::Drawing room;
+            room.add(pic::Box{.pose = Eigen::Isometry3d(Eigen::Translation3d(0, 1.2, 0)),
+                              .half_extents = {half, 1.2, half}});
+            const pic::Size size{480, 480};
+            sheet.shots.push_back(
+                {drawing, pic::fit(room, {0.5, 0.35, 1}, size, {.margin = 0.03}), size});
+        }
+        return sheet;
+    });
+}
+
+}  // namespace
+
+void rest_pictures(lab::Report& report) {
+    const pic::Note note{report.command(), "the stack of the question", "none yet", "1/60 s", {}};
+    pic::save(report.path("stack_question.png"), note, [&]() -> pic::Sheet {
+        const World world = Stack{}.start();
+        pic::Drawing drawing;
+        drawing.ground({.height = 0, .spacing = 1});
+        for (std::size_t i = 0; i < world.bodies.size(); ++i)
+            add_body(drawing, world, i, layer_colour(i, 10));
+        const pic::Size size{480, 600};
+        return pic::Shot{drawing, pic::fit(drawing, {0.5, 0.22, 1}, size, {.margin = 0.05}),
+                         size};
+    });
+    film(report, "pile", Pile{}, 100);
+    Pile cubes;
+    cubes.cubes = true, cubes.wide = 6;
+    film(report, "pile_cubes", cubes, 36);
+}
+
+}  // namespace nutshell
