@@ -62,6 +62,15 @@ void film(lab::Report& report, const std::string& file, const Pile& pile, int in
 }  // namespace
 
 void rest_pictures(lab::Report& report) {
+    // The comparison with Bullet is a program of its own (tests/peers), run after this one where
+    // Bullet is installed. Until then a note stands where its charts will be.
+    for (const std::string name : {"bullet_stack", "bullet_pile"}) {
+        std::filesystem::path file = report.path(name + ".txt");
+        write_file(file, "command: " + report.command() +
+                             "\nnot drawn: the comparison with Bullet was not made in this run. "
+                             "It needs Bullet (Debian: libbullet-dev)\n");
+        std::filesystem::remove(file.replace_extension(".svg"));
+    }
     const pic::Note note{report.command(), "the stack of the question", "none yet", "1/60 s", {}};
     pic::save(report.path("stack_question.png"), note, [&]() -> pic::Sheet {
         const World world = Stack{}.start();

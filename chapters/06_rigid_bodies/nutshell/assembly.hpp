@@ -1,6 +1,7 @@
 // Chapter 6 · Assembly: one rigid body out of several.
 #pragma once
 #include <nutshell/inertia.hpp>
+#include <vector>
 
 namespace nutshell {
 

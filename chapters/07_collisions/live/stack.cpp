@@ -47,7 +47,7 @@ class LiveStack : public live::Figure {
         if (std::lround(setting.values.at(0)) != boxes_) return begin(setting);
         speed_ = setting.values.at(1);
         require_positive(speed_, "the ball's speed [m/s]");
-        engine_ = Engine(switches_of(setting.choice));
+        engine_.on = switches_of(setting.choice);
     }
     double time() const override { return static_cast<double>(steps_) * step_size(); }
     double step_size() const override { return 1 / 60.0; }

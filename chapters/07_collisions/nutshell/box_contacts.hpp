@@ -82,6 +82,7 @@ struct Polygon {
 /// What is left of a polygon where sign * coordinate `axis` is at most `limit`.
 /// Source: I. Sutherland, G. Hodgman, Commun. ACM 17 (1974) 32.
 inline Polygon clipped(const Polygon& from, int axis, double sign, double limit, int side) {
+    // exercise 7.9
     Polygon left;
     for (int k = 0; k < from.size; ++k) {
         const auto here = static_cast<std::size_t>(k),
@@ -94,6 +95,7 @@ inline Polygon clipped(const Polygon& from, int axis, double sign, double limit,
                      over_p < 0 ? 10 * from.name[here] + side : 10 * from.name[next] + 5 + side);
     }
     return left;
+    // end 7.9
 }
 // [/clip]
 

@@ -6,6 +6,19 @@
 
 namespace nutshell {
 
+// [take_over]
+/// A contact begins with the impulses that the same contact ended with, `old`, a step ago. Its
+/// bodies may have changed places since, and its normal has turned a little: what was across the
+/// old one is laid across the new.
+inline void take_over(PressedContact& c, const PressedContact& old) {
+    // exercise 7.10
+    const double sign = old.a == c.a ? 1 : -1;  // friction pushes b, and a the other way
+    c.normal_impulse = old.normal_impulse;
+    c.friction = sign * (old.friction - c.normal.dot(old.friction) * c.normal);
+    // end 7.10
+}
+// [/take_over]
+
 // [contact_memory]
 /// The contacts of one step, to be found by their two bodies and their feature: a hash table with
 /// open addressing.
@@ -33,9 +46,7 @@ class ContactMemory {
             const bool same = old.a == c.a && old.b == c.b,
                        swapped = old.a == c.b && old.b == c.a;
             if (old.feature != c.feature || (!same && !swapped)) continue;
-            c.normal_impulse = old.normal_impulse;
-            c.friction = old.friction - c.normal.dot(old.friction) * c.normal;
-            if (swapped) c.friction = -c.friction;
+            take_over(c, old);
             return true;
         }
         return false;

@@ -114,12 +114,14 @@ struct Softness {
 /// @param frequency  of the spring [1/s]    @param damping  ratio; 1 is critical
 /// Source: E. Catto, Soft Constraints, GDC 2011; Solver2D, 2024.
 inline Softness softness(double frequency, double damping, double h) {
+    // exercise 7.11
     const double omega = 2 * pi * frequency, c = 2 * damping + h * omega, k = h * omega * c;
     return {omega / c, k / (1 + k), 1 / (1 + k)};
+    // end 7.11
 }
 // [/soft]
 
-// [press]
+// [wish]
 /// What the solver wants of all contacts in one pass.
 struct Press {
     double h;                ///< sub-step [s]
@@ -145,25 +147,40 @@ inline Vector3 in_pyramid(const Vector3& friction, double limit, const Vector3& 
            std::clamp(y.dot(friction), -limit, limit) * y;
 }
 
-/// One contact's turn: the impulse that makes it neither close in nor slide, added to what it had
-/// so far; the sum never pulls, and its friction never exceeds mu times its normal impulse,
-/// whatever its direction.
+/// What a contact asks for.
+struct Wish {
+    double speed = 0;  ///< to separate with [m/s]
+    double mass = 1;   ///< part of the contact's mass that answers
+    double fade = 0;   ///< part of the impulse so far that is given back
+};
+
+/// A gap may close in just so fast that it touches; what overlaps comes out softly; what came in
+/// fast bounces; all else neither closes in nor opens.
+inline Wish wish_of(const PressedContact& c, const Press& want) {
+    Wish wish;
+    if (c.separation > 0)
+        wish.speed = -c.separation / want.h;
+    else if (want.soft.rate > 0)
+        wish = {std::min(-want.soft.rate * c.separation, want.fastest_out), want.soft.mass,
+                want.soft.fade};
+    if (want.restitution > 0 && c.closing < -want.slow && c.normal_impulse > 0)
+        wish.speed = -want.restitution * c.closing;
+    return wish;
+}
+// [/wish]
+
+// [turn]
+/// One contact's turn: the impulse that gives it its wish and does not let it slide, added to
+/// what it had so far; the sum never pulls, and its friction never exceeds mu times its normal
+/// impulse, whatever its direction.
 inline void press(PressedContact& c, Body& a, Body& b, const Mobility& of_a, const Mobility& of_b,
                   const Press& want) {
     const Vector3 u = contact_velocity(c, a, b, of_a, of_b);
+    const Wish wish = wish_of(c, want);
+    // exercise 7.8
     const double s = c.normal.dot(u);
-
-    double speed = 0, mass = 1, fade = 0;  // the separating speed that is wanted
-    if (c.separation > 0)
-        speed = -c.separation / want.h;  // it may close in just so fast that it touches
-    else if (want.soft.rate > 0)
-        speed = std::min(-want.soft.rate * c.separation, want.fastest_out), mass = want.soft.mass,
-        fade = want.soft.fade;
-    if (want.restitution > 0 && c.closing < -want.slow && c.normal_impulse > 0)
-        speed = -want.restitution * c.closing;
-
-    const double normal =
-        std::max(0.0, (1 - fade) * c.normal_impulse + mass * c.normal_mass * (speed - s));
+    const double normal = std::max(
+        0.0, (1 - wish.fade) * c.normal_impulse + wish.mass * c.normal_mass * (wish.speed - s));
     if (normal == 0 && c.normal_impulse == 0) return;  // open, and stays so
     const Vector3 wanted = c.friction - c.friction_mass * (u - s * c.normal);
     const double limit = want.friction * normal;
@@ -172,7 +189,8 @@ inline void press(PressedContact& c, Body& a, Body& b, const Mobility& of_a, con
 
     apply_impulse(c, a, b, (normal - c.normal_impulse) * c.normal + (friction - c.friction));
     c.normal_impulse = normal, c.friction = friction;
+    // end 7.8
 }
-// [/press]
+// [/turn]
 
 }  // namespace nutshell

@@ -48,7 +48,7 @@ struct Switches {
 class Engine {
   public:
     explicit Engine(const Switches& switches = {}) : on(switches) {}
-    const Switches on;
+    Switches on;  ///< may be changed between steps
 
     /// One step of dt [s].
     [[gnu::flatten]] void step(World& world, double dt) {
@@ -176,7 +176,7 @@ class Engine {
             }
         if (on.grid) {
             grid_.sort(places_, 2 * largest + slack + std::min(farthest, fastest * dt));
-            grid_.pairs(look);
+            visit_pairs(grid_, look);
         } else {
             for (int i = 0; i < static_cast<int>(n); ++i)
                 for (int j = i + 1; j < static_cast<int>(n); ++j) look(i, j);

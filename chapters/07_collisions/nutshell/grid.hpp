@@ -35,8 +35,8 @@ class Grid {
         start_.assign(static_cast<std::size_t>(size_[0] * size_[1] * size_[2]) + 1, 0);
         for (std::size_t i = 0; i < n; ++i) {
             const Vector3 at = (points[i] - low) / cell;
-            cube_[i] = number(static_cast<int>(at.x()), static_cast<int>(at.y()),
-                              static_cast<int>(at.z()));
+            const Eigen::Vector3i cube = at.cast<int>();
+            cube_[i] = (cube[1] * size_[2] + cube[2]) * size_[0] + cube[0];
             ++start_[static_cast<std::size_t>(cube_[i]) + 1];
         }
         for (std::size_t k = 1; k < start_.size(); ++k) start_[k] += start_[k - 1];
@@ -46,42 +46,47 @@ class Grid {
                 static_cast<int>(i);
     }
 
-    /// Calls visit(i, j) for all points i and j in the same cube or in neighbours, each pair
-    /// once.
-    template <class Visit>
-    void pairs(const Visit& visit) const {
-        for (int y = 0; y < size_[1]; ++y)
-            for (int z = 0; z < size_[2]; ++z)
-                for (int x = 0; x < size_[0]; ++x) {
-                    const int begin = first(x, y, z), end = first(x + 1, y, z);
-                    for (int i = begin; i < end; ++i) {
-                        row(i, i + 1, x, x + 1, y, z, visit);  // here and to the right
-                        row(i, 0, x - 1, x + 1, y, z + 1, visit);
-                        for (int dz = -1; dz <= 1; ++dz)
-                            row(i, 0, x - 1, x + 1, y + 1, z + dz, visit);
-                    }
-                }
-    }
-
-  private:
-    Eigen::Vector3i size_{1, 1, 1};         // cubes along each axis
-    std::vector<int> cube_, start_, next_;  // cube of a point; first item of a cube
-    std::vector<int> item_;                 // the points, cube after cube
-
-    int number(int x, int y, int z) const { return (y * size_[2] + z) * size_[0] + x; }
+    const Eigen::Vector3i& size() const { return size_; }  ///< cubes along each axis
+    /// The first item of a cube: its items are first(x, y, z) to first(x + 1, y, z) less one.
     int first(int x, int y, int z) const {
-        return start_[static_cast<std::size_t>(number(x, y, z))];
+        return start_[static_cast<std::size_t>((y * size_[2] + z) * size_[0] + x)];
     }
-    /// item_[i] with all items of a run of cubes, from item `least` on: they lie side by side.
+    /// visit(item, other) for an item and all those, from number `least` on, in the cubes x0 to
+    /// x1 of a row: they lie side by side. Rows outside of the grid are empty.
     template <class Visit>
-    void row(int i, int least, int x0, int x1, int y, int z, const Visit& visit) const {
-        if (y >= size_[1] || z < 0 || z >= size_[2]) return;
+    void with_row(int item, int least, int x0, int x1, int y, int z, const Visit& visit) const {
+        if (y < 0 || y >= size_[1] || z < 0 || z >= size_[2]) return;
         const int from = std::max(least, first(std::max(x0, 0), y, z)),
                   to = first(std::min(x1, size_[0] - 1) + 1, y, z);
         for (int j = from; j < to; ++j)
-            visit(item_[static_cast<std::size_t>(i)], item_[static_cast<std::size_t>(j)]);
+            visit(item_[static_cast<std::size_t>(item)], item_[static_cast<std::size_t>(j)]);
     }
+
+  private:
+    Eigen::Vector3i size_{1, 1, 1};
+    std::vector<int> cube_, start_, next_;  // cube of a point; first item of a cube
+    std::vector<int> item_;                 // the points, cube after cube
 };
 // [/grid]
+
+// [visit_pairs]
+/// visit(i, j) for all points i and j in the same cube or in neighbours, across faces, edges and
+/// corners, each pair once: of the 26 cubes around, one looks at the 13 that come after it.
+template <class Visit>
+void visit_pairs(const Grid& grid, const Visit& visit) {
+    const Eigen::Vector3i cubes = grid.size();
+    for (int y = 0; y < cubes[1]; ++y)
+        for (int z = 0; z < cubes[2]; ++z)
+            for (int x = 0; x < cubes[0]; ++x)
+                for (int i = grid.first(x, y, z); i < grid.first(x + 1, y, z); ++i) {
+                    // exercise 7.12
+                    grid.with_row(i, i + 1, x, x + 1, y, z, visit);  // here and to the right
+                    grid.with_row(i, 0, x - 1, x + 1, y, z + 1, visit);
+                    for (int dz = -1; dz <= 1; ++dz)
+                        grid.with_row(i, 0, x - 1, x + 1, y + 1, z + dz, visit);
+                    // end 7.12
+                }
+}
+// [/visit_pairs]
 
 }  // namespace nutshell

@@ -38,25 +38,20 @@ struct Universe {
 };
 // [/universe]
 
-// [mended_floor]
-/// The universe's floor, mended, and nothing more: a ball of this radius [m] that is in the floor
+// [mended]
+/// Universe::evolve, mended, and nothing more: kick, drift, collide. A ball that is in the floor
 /// is put on it, and if it was on its way down, it leaves with e of its speed. No friction: its
-/// spin stays. Errata E62, E63, E64.
-inline void bounce_on_floor(Body& ball, double radius, double e) {
+/// spin stays. Errata E59, E62, E63, E64.
+inline void evolve_mended(const Universe& universe, Body& ball, double dt) {
     // exercise 7.13
-    if (ball.position.y() >= radius) return;
-    ball.position.y() = radius;
-    if (ball.momentum.y() < 0) ball.momentum.y() = -e * ball.momentum.y();
+    kick(ball, {universe.force, Vector3::Zero()}, dt);
+    drift(ball, dt);
+    if (ball.position.y() >= universe.radius) return;
+    ball.position.y() = universe.radius;
+    if (ball.momentum.y() < 0) ball.momentum.y() *= -universe.restitution;
     // end 7.13
 }
-
-/// Universe::evolve, mended: kick, drift, collide.
-inline void evolve_mended(const Universe& universe, Body& ball, double dt) {
-    kick(ball, {universe.force}, dt);
-    drift(ball, dt);
-    bounce_on_floor(ball, universe.radius, universe.restitution);
-}
-// [/mended_floor]
+// [/mended]
 
 // [printed_universe]
 /// The program as printed, in its own float: position, momentum and angular momentum of its one
