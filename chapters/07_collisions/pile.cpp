@@ -94,12 +94,16 @@ void pile(lab::Report& report) {
         report.number(key + ".energy", seen.energy);
         report.number(key + ".escaped", seen.escaped);
         report.number(key + ".last_speed", seen.last_speed, "m/s");
+        report.number(key + ".rest_overlap_m", deepest_overlap(seen.end), "m");
         report.number(key + ".body_step", 1e6 * seen.body_step, "us");
         report.say(std::to_string(seen.end.bodies.size()) + (cubes ? " cubes" : " spheres") +
                    ": overlap " + lab::rounded(1000 * seen.overlap) + " mm, " +
                    std::to_string(seen.escaped) + " escaped, energy at most " +
                    lab::rounded(seen.energy, "%.6f") + " of its start");
     }
+    Pile fine;
+    fine.cubes = true, fine.wide = 6, fine.switches.sub_steps = 16, fine.duration = 2;
+    report.number("pile.cubes.fine_overlap_m", watched(fine, fine.switches).overlap, "m");
     report.number("pile.need", Pile{}.need.tolerance, "m");
     cost_against_size(report);
 }

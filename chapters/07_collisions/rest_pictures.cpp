@@ -1,4 +1,5 @@
 // The pictures of the second half that do not move: the question, two filmstrips of piles.
+#include <fstream>
 #include <nutshell/picture/picture.hpp>
 #include "piles_drawings.hpp"
 #include "program.hpp"
@@ -59,9 +60,21 @@ void film(lab::Report& report, const std::string& file, const Pile& pile, int in
     });
 }
 
+/// How many lines the engine has, if the sources are where `./course run` starts.
+void count_lines(lab::Report& report) {
+    double lines = 0;
+    for (const char* name : {"shapes", "contacts", "box_contacts", "contact_solver",
+                             "contact_memory", "grid", "sleep", "engine"}) {
+        std::ifstream file(std::string("chapters/07_collisions/nutshell/") + name + ".hpp");
+        for (std::string line; std::getline(file, line);) ++lines;
+    }
+    if (lines > 0) report.number("engine.lines", lines);
+}
+
 }  // namespace
 
 void rest_pictures(lab::Report& report) {
+    count_lines(report);
     // The comparison with Bullet is a program of its own (tests/peers), run after this one where
     // Bullet is installed. Until then a note stands where its charts will be.
     for (const std::string name : {"bullet_stack", "bullet_pile"}) {

@@ -96,8 +96,8 @@ struct PressOne {
             u = of_b.inverse_mass * b.momentum + of_a.inverse_mass * a.momentum +
                 (of_b.inverse_inertia * b.angular_momentum).cross(c.lever_b) +
                 (of_a.inverse_inertia * a.angular_momentum).cross(c.lever_a);
-        const Wish wish = wish_of(c, want);
         const double s = c.normal.dot(u), before = c.normal_impulse;
+        const Wish wish = wish_of(c, s, want);
         const double more = wish.mass * c.normal_mass * (wish.speed - s);
         double normal = std::max(0.0, (1 - wish.fade) * before + more);
         if (slip.clamp_each) normal = before + std::max(0.0, more - wish.fade * before);
@@ -173,7 +173,7 @@ struct PressOne {
                               [](PressedContact& c, Body& a, Body& b, const Mobility& of_a,
                                  const Mobility& of_b, const Press& want) -> void {
                                   const Vector3 u = contact_velocity(c, a, b, of_a, of_b);
-                                  const Wish wish = wish_of(c, want);
+                                  const Wish wish = wish_of(c, c.normal.dot(u), want);
                                   double more =
                                       wish.mass * c.normal_mass * (wish.speed - c.normal.dot(u)) -
                                       wish.fade * c.normal_impulse;

@@ -155,15 +155,17 @@ struct Wish {
 };
 
 /// A gap may close in just so fast that it touches; what overlaps comes out softly; what came in
-/// fast bounces; all else neither closes in nor opens.
-inline Wish wish_of(const PressedContact& c, const Press& want) {
+/// fast, and is pressed or about to be, bounces; all else neither closes in nor opens.
+/// @param s  the contact's separating speed now [m/s]
+inline Wish wish_of(const PressedContact& c, double s, const Press& want) {
     Wish wish;
     if (c.separation > 0)
         wish.speed = -c.separation / want.h;
     else if (want.soft.rate > 0)
         wish = {std::min(-want.soft.rate * c.separation, want.fastest_out), want.soft.mass,
                 want.soft.fade};
-    if (want.restitution > 0 && c.closing < -want.slow && c.normal_impulse > 0)
+    const bool pressed = c.normal_impulse > 0 || s < wish.speed;
+    if (want.restitution > 0 && c.closing < -want.slow && pressed)
         wish.speed = -want.restitution * c.closing;
     return wish;
 }
@@ -176,9 +178,9 @@ inline Wish wish_of(const PressedContact& c, const Press& want) {
 inline void press(PressedContact& c, Body& a, Body& b, const Mobility& of_a, const Mobility& of_b,
                   const Press& want) {
     const Vector3 u = contact_velocity(c, a, b, of_a, of_b);
-    const Wish wish = wish_of(c, want);
-    // exercise 7.8
     const double s = c.normal.dot(u);
+    const Wish wish = wish_of(c, s, want);
+    // exercise 7.8
     const double normal = std::max(
         0.0, (1 - wish.fade) * c.normal_impulse + wish.mass * c.normal_mass * (wish.speed - s));
     if (normal == 0 && c.normal_impulse == 0) return;  // open, and stays so

@@ -50,19 +50,25 @@ class Engine {
     explicit Engine(const Switches& switches = {}) : on(switches) {}
     Switches on;  ///< may be changed between steps
 
-    /// One step of dt [s].
+    // [step]
+    /// One step of dt [s]. Contacts are found once in it; in every sub-step where a box is so fast
+    /// that the face it will hit cannot be told that early.
     [[gnu::flatten]] void step(World& world, double dt) {
-        find_contacts_of(world, dt);
-        if (on.sleep && sleep_.wake(world.bodies, reach_, on.rule)) find_contacts_of(world, dt);
         const double h = dt / on.sub_steps, g = world.gravity.norm();
-        Press push{h, world.surface.friction, 0, 0};
-        if (on.soft) push.soft = softness(on.stiffness / h, on.damping, h);
-        push.pyramid = on.pyramid;
-        Press relax{h, world.surface.friction, world.surface.restitution, 2 * g * h};
-        relax.pyramid = on.pyramid;
+        const bool hasty = boxes_are_hasty(world, dt);
+        find_contacts_of(world, hasty ? h : dt);
+        if (on.sleep && sleep_.wake(world.bodies, reach_, on.rule))
+            find_contacts_of(world, hasty ? h : dt);
         const bool cold = on.warm_start && 2 * remembered_ < contacts_.size();
         const int passes = cold ? std::max(on.cold, on.passes) : on.passes;
+
+        Press push{h, world.surface.friction, 0, 0};
+        if (on.soft) push.soft = softness(on.stiffness / h, on.damping, h);
+        Press relax{h, world.surface.friction, world.surface.restitution, 2 * g * h};
+        push.pyramid = relax.pyramid = on.pyramid;
+
         for (int k = 0; k < on.sub_steps; ++k) {
+            if (hasty && k > 0) find_contacts_of(world, h);
             for (std::size_t i = 0; i < world.bodies.size(); ++i)
                 if (moves(world, i)) kick(world.bodies[i], weight(world.bodies[i], world), h);
             start_contacts(world);
@@ -73,6 +79,7 @@ class Engine {
         }
         if (on.sleep) sleep_.end_step(world.bodies, reach_, on.rule, dt);
     }
+    // [/step]
     bool asleep(std::size_t body) const { return sleep_.asleep(body); }
     /// The contacts of the last step.
     const std::vector<PressedContact>& contacts() const { return contacts_; }
@@ -90,6 +97,14 @@ class Engine {
 
     bool moves(const World& world, std::size_t i) const {
         return world.bodies[i].mass < immovable && !asleep(i);
+    }
+    /// Whether a box flies half of its reach in a step.
+    static bool boxes_are_hasty(const World& world, double dt) {
+        for (std::size_t i = 0; i < world.bodies.size(); ++i)
+            if (std::holds_alternative<Box>(world.shapes[i]) &&
+                dt * velocity(world.bodies[i]).norm() > reach(world.shapes[i]) / 2)
+                return true;
+        return false;
     }
     static Wrench weight(const Body& body, const World& world) {
         Wrench push;
