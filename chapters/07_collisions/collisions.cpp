@@ -21,6 +21,7 @@ int main(int argc, char** argv) {
         nutshell::pile(report);
         nutshell::dominoes(report);
         nutshell::universe(report);
+        nutshell::rest_diagrams(report);
         nutshell::rest_pictures(report);
     });
 }

@@ -24,6 +24,7 @@ void switches(lab::Report& report);
 void pile(lab::Report& report);
 void dominoes(lab::Report& report);
 void universe(lab::Report& report);
+void rest_diagrams(lab::Report& report);
 void rest_pictures(lab::Report& report);
 
 }  // namespace nutshell
