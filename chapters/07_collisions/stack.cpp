@@ -30,7 +30,9 @@ double carried_after(int boxes, int rounds) {
     Stack scene;
     scene.boxes = boxes;
     World world = scene.start();
-    Engine engine({.sub_steps = 1, .passes = rounds, .relaxing = 0, .warm_start = false});
+    Switches rigid{.sub_steps = 1, .passes = rounds, .relaxing = 0, .warm_start = false};
+    rigid.soft = false;
+    Engine engine(rigid);
     engine.step(world, 1 / 60.0);
     double sum = 0;
     for (const PressedContact& c : engine.contacts())

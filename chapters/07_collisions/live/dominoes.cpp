@@ -1,4 +1,4 @@
-// A row of dominoes: how far apart they stand, and how coarse the steps are, in the reader's hand.
+// A row of dominoes: their distance, their friction and the step in the reader's hand.
 #include <nutshell/domino_scenes.hpp>
 #include <nutshell/live/figure.hpp>
 #include "../piles_drawings.hpp"

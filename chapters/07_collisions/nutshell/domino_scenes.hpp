@@ -39,10 +39,10 @@ struct DominoRow {
         const Vector3 up = rotate(body.orientation, Vector3::UnitY());
         return std::atan2(up.x(), up.y());
     }
-    /// The lean at which a piece touches the next [rad]: its upper front edge has crossed the gap.
+    /// The lean at which a piece touches the next [rad]: its upper edge has crossed the gap.
     double touches_at() const { return std::asin((spacing - thickness()) / height()); }
-    /// How fast the first piece turns [rad/s] when it leans by `angle` [rad], until it touches the
-    /// next. Closed form: it turns about its edge, and the height its centre has lost is energy.
+    /// How fast the first piece turns [rad/s] when it leans by `angle` [rad] and touches nothing
+    /// yet. Closed form: it turns about its edge, and the height its centre has lost is energy.
     double exact_rate(double angle) const {
         const auto centre = [&](double a) {
             return piece.half.y() * std::cos(a) + piece.half.x() * std::sin(a);

@@ -51,7 +51,7 @@ class Engine {
     Switches on;  ///< may be changed between steps
 
     // [step]
-    /// One step of dt [s]. Contacts are found once in it; in every sub-step where a box is so fast
+    /// One step of dt [s]. Contacts are found once in it; in every sub-step if a box is so fast
     /// that the face it will hit cannot be told that early.
     [[gnu::flatten]] void step(World& world, double dt) {
         const double h = dt / on.sub_steps, g = world.gravity.norm();
