@@ -30,8 +30,7 @@ class LiveStack : public live::Figure {
                  .words = "everything on",
                  .setting = {0, {10, 15}},
                  .time = 3,
-                 .drawn = true},
-                {.key = "hit", .words = "a ball is thrown", .setting = {0, {10, 15}}, .time = 0}};
+                 .drawn = true}};
     }
     void begin(const live::Setting& setting) override {
         Stack scene;
