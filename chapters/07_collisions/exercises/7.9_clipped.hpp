@@ -33,9 +33,12 @@ struct Clipped {
     static void one(Paper& paper, const Answer& answer, const std::vector<Vector3>& corners,
                     int axis, double sign, double limit, int side) {
         Polygon from;
-        for (std::size_t i = 0; i < corners.size(); ++i)
+        Eigen::MatrixXd columns(3, static_cast<Eigen::Index>(corners.size()));
+        for (std::size_t i = 0; i < corners.size(); ++i) {
             from.add(corners[i], 5 * static_cast<int>(i + 1));
-        paper.input("from", corners, "axis", static_cast<double>(axis), "sign", sign, "limit",
+            columns.col(static_cast<Eigen::Index>(i)) = corners[i];
+        }
+        paper.input("from", columns, "axis", static_cast<double>(axis), "sign", sign, "limit",
                     limit, "side", static_cast<double>(side));
         const Polygon left = answer(from, axis, sign, limit, side);
         // eight places, those that are not used filled with sevens
