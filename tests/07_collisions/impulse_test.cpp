@@ -148,12 +148,8 @@ TEST_CASE("Back-spin: a ball with enough of it comes back") {
     }
 }
 
-TEST_CASE("The law that echoes: 10^4 impacts of balls, boxes and rods without a gain") {
-    check_echo(random_impacts(laws::echo, 10000, 1));
-}
-
-TEST_CASE("The law that echoes: the other 10^6", "[.million]") {
-    check_echo(random_impacts(laws::echo, 1000000, 2));
+TEST_CASE("The law that echoes: 10^6 impacts of balls, boxes and rods without a gain") {
+    check_echo(random_impacts(laws::echo, 1000000, 1));
 }
 
 TEST_CASE("The clamped law keeps momenta, restitution and cone, but gains energy on a rod") {
