@@ -44,6 +44,7 @@ class LiveBounce : public live::Figure {
                  .time = 3}};
     }
     void begin(const live::Setting& setting) override {
+        setting_ = setting;
         choice_ = setting.choice;
         dt_ = 1 / setting.values.at(0);
         require_positive(dt_, "the step of a second's steps");
@@ -62,6 +63,7 @@ class LiveBounce : public live::Figure {
         if (choice_ == 3) body_ = methods::bounce_printed.start(scene_)(body_, scene_, t, dt_);
         ++steps_;
         path_.push_back(body_.position.y());
+        if (time() > scene_.duration) begin(setting_);  // it starts again
     }
     pic::Drawing drawing(double) const override {
         pic::Drawing drawing;
@@ -119,6 +121,7 @@ class LiveBounce : public live::Figure {
     Particle body_;
     std::vector<double> path_;
     double dt_ = 1 / 60.0;
+    live::Setting setting_;
     int choice_ = 0;
     long steps_ = 0;
 };
