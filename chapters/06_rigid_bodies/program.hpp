@@ -6,7 +6,11 @@
 namespace nutshell {
 
 // 6: torque, inertia, assembling
+void diagrams(lab::Report& report);
+void levers(lab::Report& report);
 void pendulum(lab::Report& report);
+void assembly(lab::Report& report);
+void ladder(lab::Report& report);
 
 // 6A: free bodies and tops
 void free_bodies(lab::Report& report);

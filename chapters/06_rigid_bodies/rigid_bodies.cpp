@@ -5,7 +5,11 @@ int main(int argc, char** argv) {
     return nutshell::lab::program(argc, argv, "06_rigid_bodies",
                                   [](nutshell::lab::Report& report) {
                                       // 6: torque, inertia, assembling
+                                      nutshell::diagrams(report);
+                                      nutshell::levers(report);
                                       nutshell::pendulum(report);
+                                      nutshell::assembly(report);
+                                      nutshell::ladder(report);
                                       // 6A: free bodies and tops
                                       nutshell::free_bodies(report);
                                       nutshell::free_study(report);

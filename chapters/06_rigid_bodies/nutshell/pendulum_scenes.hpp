@@ -20,9 +20,26 @@ inline double pendulum_period(double length, double angle) {
 }
 // [/pendulum_period]
 
+/// Where a pendulum is, and how fast it turns.
+struct Swing {
+    double angle, rate;  ///< from hanging [rad], and its change [rad/s]
+};
+
+// [swing]
+/// A pendulum at time t [s] after it was let go at `angle` [rad] from hanging, below pi in size:
+/// sin(now/2) = k sn(omega t + K) with k = sin(angle/2), and its rate of change. Solves now'' =
+/// -omega^2 sin(now). Accurate to a few epsilon times 1 + omega t.
+/// @param omega  of small swings [rad/s]
+inline Swing swing(double omega, double angle, double t) {
+    const double k = std::sin(angle / 2), complementary = std::cos(angle / 2);
+    const Jacobi f = jacobi(omega * t + complete_elliptic_k(complementary), complementary);
+    return {2 * std::atan2(k * f.sn, f.dn), 2 * k * omega * f.cn};
+}
+// [/swing]
+
 // [pendulum]
 /// A body that hangs from a pivot at the origin, let go at rest; it swings about the world's z.
-/// exact: Jacobi's functions, accurate to about 1e-15 times 1 + the angle's phase.
+/// exact: `swing`.
 struct Pendulum {
     std::string name;
     double mass, distance;  ///< [kg]; from the pivot to the centre of mass [m]
@@ -56,13 +73,11 @@ struct Pendulum {
         const Vector3 arm = rotate(body.orientation, {0, -1, 0});
         return std::atan2(arm.x(), -arm.y());
     }
-    /// sin(angle/2) = k sn(omega t + K), and its rate of change.
     Pinned exact(double t) const {
-        const double k = std::sin(angle / 2), complementary = std::cos(angle / 2);
-        const Jacobi f = jacobi(omega() * t + complete_elliptic_k(complementary), complementary);
+        const Swing now = swing(omega(), angle, t);
         Pinned body = start;
-        body.orientation = exponential({0, 0, 2 * std::atan2(k * f.sn, f.dn)});
-        body.angular_momentum = {0, 0, start.inertia.z() * 2 * k * omega() * f.cn};
+        body.orientation = exponential({0, 0, now.angle});
+        body.angular_momentum = {0, 0, start.inertia.z() * now.rate};
         return body;
     }
     double error(const Pinned& body, double t) const {
