@@ -120,9 +120,9 @@ void there_and_back(lab::Report& report) {
     const double angle = 35 * pi / 180;
     const Quaternion q = exponential({0, 0, angle});
     const Vector3 inertia(0.4, 1.2, 1.6);  // a bar along its own x
-    const Vector3 L(0.75, 0.75, 0), own = rotate(inverse(q), L);
+    const Vector3 L(0.22, 0.82, 0), own = rotate(inverse(q), L);
     const Vector3 omega = own.cwiseQuotient(inertia), back = rotate(q, omega);
-    const double metres_a_radian = 0.5;
+    const double metres_a_radian = 0.6;
     chart::Diagrams all;
     all.title = "In its own axes the body only divides";
     all.subtitle =
@@ -133,8 +133,8 @@ void there_and_back(lab::Report& report) {
                            const Vector3* omega_shown) {
         Diagram d;
         d.title = title;
-        d.box({0, 0}, 1.6, 0.3, turned);
-        d.axes({0, 0}, turned, 0.9);
+        d.box({0, 0}, 1.3, 0.26, turned);
+        d.axes({0, 0}, turned, 0.55);
         if (L_shown != nullptr)
             d.arrow({0, 0}, {L_shown->x(), L_shown->y()}, Quantity::angular_momentum, "L");
         if (omega_shown != nullptr)
@@ -165,10 +165,12 @@ void parallel(lab::Report& report) {
     d.dashed({point, particle});
     d.centre(centre);
     d.ball(particle, 0.05);
-    d.arrow(centre, {particle.x - centre.x, particle.y - centre.y}, Quantity::plain, "x");
-    d.arrow(point, {centre.x - point.x, centre.y - point.y}, Quantity::plain, "a");
+    d.arrow(centre, {particle.x - centre.x, particle.y - centre.y}, Quantity::plain);
+    d.arrow(point, {centre.x - point.x, centre.y - point.y}, Quantity::plain);
     d.note({point.x - 0.1, point.y - 0.12}, "A");
-    d.note({0.02, -0.2}, "C");
+    d.note({0.1, -0.16}, "C");
+    d.note({0.36, 0.13}, "x");
+    d.note({-0.6, -0.32}, "a");
     chart::write_svg(d, report.path("parallel.svg"));
 }
 

@@ -26,12 +26,14 @@ inline Part solid(double mass, const Vector3& moments, const Vector3& place,
 /// (60)-(63), (62*). @throws std::invalid_argument if there is no part, or a mass is not positive
 inline MassProperties assemble(std::span<const Part> parts) {
     require(!parts.empty(), "assemble: nothing to assemble");
+    for (const Part& part : parts)
+        require_positive(part.body.mass, "assemble: the mass of a part [kg]");
+    // exercise 6.6
     MassProperties whole;
     const auto centre_of = [](const Part& part) -> Vector3 {
         return part.rotation * part.body.centre + part.place;
     };
     for (const Part& part : parts) {
-        require_positive(part.body.mass, "assemble: the mass of a part [kg]");
         whole.mass += part.body.mass;
         whole.centre += part.body.mass * centre_of(part);
     }
@@ -40,6 +42,7 @@ inline MassProperties assemble(std::span<const Part> parts) {
         whole.inertia += in_world(part.body.inertia, part.rotation) +
                          parallel_axis(part.body.mass, centre_of(part) - whole.centre);
     return whole;
+    // end 6.6
 }
 // [/assemble]
 

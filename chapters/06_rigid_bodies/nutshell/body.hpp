@@ -21,7 +21,9 @@ inline Wrench operator+(const Wrench& a, const Wrench& b) {
 /// A force [N] at the end of a lever arm [m] from the centre of mass or the pivot, both in world
 /// axes. Source: eq. (42), tau = r x F.
 inline Wrench force_at(const Vector3& force, const Vector3& arm) {
+    // exercise 6.1
     return {force, arm.cross(force)};
+    // end 6.1
 }
 // [/wrench]
 
@@ -174,11 +176,14 @@ inline Body body_of(const MassProperties& thing) {
     return checked(Body{thing.mass, principal.moments, thing.centre, Vector3::Zero(),
                         Quaternion(principal.axes).normalized(), Vector3::Zero()});
 }
+// [/body_of]
 
+// [joined]
 /// One body out of several that are stuck together as they are: mass, centre and inertia of the
 /// whole, their momentum, and their angular momentum about the common centre.
 /// Source: eqs. (60)-(62*), errata E32 and E33.
 inline Body joined(std::span<const Body> bodies) {
+    // exercise 6.7
     std::vector<Part> parts;
     Vector3 momentum = Vector3::Zero(), about_origin = Vector3::Zero();
     for (const Body& body : bodies) {
@@ -191,7 +196,8 @@ inline Body joined(std::span<const Body> bodies) {
     whole.momentum = momentum;
     whole.angular_momentum = about_origin - whole.position.cross(momentum);
     return whole;
+    // end 6.7
 }
-// [/body_of]
+// [/joined]
 
 }  // namespace nutshell

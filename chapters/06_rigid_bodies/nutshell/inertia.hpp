@@ -11,7 +11,9 @@ namespace nutshell {
 /// Inertia [kg m^2] of one point mass about the origin, r [m] its place: m (r^2 1 - r r^T). Only
 /// the part of r at right angles to the axis counts. Source: eq. (49), one term; eq. (63).
 inline Matrix3 point_inertia(double mass, const Vector3& r) {
+    // exercise 6.2
     return mass * (r.squaredNorm() * Matrix3::Identity() - r * r.transpose());
+    // end 6.2
 }
 // [/point_inertia]
 
@@ -48,7 +50,9 @@ inline Matrix3 parallel_axis(double mass, const Vector3& offset) {
 
 /// Inertia [kg m^2] about `point` [m], both in the axes of the shape.
 inline Matrix3 inertia_about(const MassProperties& body, const Vector3& point) {
+    // exercise 6.5
     return body.inertia + parallel_axis(body.mass, point - body.centre);
+    // end 6.5
 }
 // [/parallel_axis]
 
@@ -56,9 +60,28 @@ inline Matrix3 inertia_about(const MassProperties& body, const Vector3& point) {
 /// Inertia in world axes of a body whose inertia in its own axes is `inertia` and that R has
 /// turned: I = R I0 R^T. A column of R says where an axis of the body points. Source: eq. (53*).
 inline Matrix3 in_world(const Matrix3& inertia, const Matrix3& rotation) {
+    // exercise 6.3
     return rotation * inertia * rotation.transpose();
+    // end 6.3
 }
 // [/in_world]
+
+// [spin_of]
+/// Angular velocity [rad/s], world axes, of a body whose inertia in its own axes is `inertia`,
+/// principal or not: into the body, solve I0 omega = L, back: R I0^-1 R^T L. Source: eq. (53*).
+/// @param L  angular momentum [kg m^2/s], world axes
+/// @throws std::invalid_argument if the inertia has no inverse, as that of a rod without thickness
+inline Vector3 spin_of(const Matrix3& inertia, const Matrix3& rotation, const Vector3& L) {
+    const double largest = inertia.cwiseAbs().maxCoeff();
+    require(inertia.determinant() > 1e-14 * largest * largest * largest,
+            "spin_of: the inertia tensor has no inverse: a moment is zero, as of a rod without "
+            "thickness");
+    // exercise 6.4
+    const Vector3 own = rotation.transpose() * L;
+    return rotation * Vector3(inertia.ldlt().solve(own));
+    // end 6.4
+}
+// [/spin_of]
 
 // [possible]
 /// The reason why no body can have these principal moments [kg m^2], or nothing. Each is a sum of
