@@ -22,7 +22,7 @@ struct Assemble {
         const Part third{{2.3, {0.2, 0.5, -0.6}, lopsided}, {0.7, -1.2, 0.4}, b};
         ask_one(paper, answer, {first, second});
         ask_one(paper, answer, {first, third});
-        ask_one(paper, answer, {third, second, first});
+        ask_one(paper, answer, {third, second, first, second, third});
         ask_one(paper, answer, {second});
     }
 
@@ -77,7 +77,7 @@ struct Assemble {
                       "already: each inertia turned into common axes, and moved.",
                       "in_world turns the inertia of a part; parallel_axis moves it by the way "
                       "from the common centre to the part's. Add both, for every part."},
-            .picture = "thrown.png",
+            .picture = "hammer.png",
             .mistakes =
                 {{"a plus for a times", "E66", "A hammer spins about a point far outside of it.",
                   "In the centre of mass the second part's mass is added to its place where it "
@@ -200,6 +200,7 @@ struct Assemble {
                                   }
                                   return whole;
                               }}},
+            .survivors = {{"statements 1 and 2 swapped", "neither uses the other's result"}},
         };
     }
 #endif

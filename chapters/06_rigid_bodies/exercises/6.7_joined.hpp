@@ -31,7 +31,7 @@ struct Joined {
                          {0.9, -0.6, 1.3}};
         ask_one(paper, answer, {first, second});
         ask_one(paper, answer, {first, third});
-        ask_one(paper, answer, {third, second, first});
+        ask_one(paper, answer, {third, second, first, second, third});
     }
 
   private:
@@ -89,7 +89,7 @@ struct Joined {
                       "Make parts with solid and in their places, let assemble and body_of make "
                       "the whole; then give it the sum of the momenta, and the sum of the "
                       "spins and orbits about its centre."},
-            .picture = "thrown.png",
+            .picture = "hammer.png",
             .mistakes =
                 {{"the orbits forgotten", "E33, E67",
                   "Two skaters who catch each other's hands in passing do not begin to turn.",
@@ -181,6 +181,9 @@ struct Joined {
                                       whole = joined(std::array{whole, bodies[i]});
                                   return whole;
                               }}},
+            .survivors = {{"fraction cut off", "the sum of the momenta begins at zero"},
+                          {"fraction cut off, 2", "so does that of the angular momenta"},
+                          {"statements 5 and 6 swapped", "neither uses the other's result"}},
         };
     }
 #endif

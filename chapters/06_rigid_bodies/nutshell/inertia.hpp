@@ -3,7 +3,9 @@
 #include <Eigen/Eigenvalues>
 #include <nutshell/require.hpp>
 #include <nutshell/revised_newton.hpp>
+#include <span>
 #include <sstream>
+#include <vector>
 
 namespace nutshell {
 

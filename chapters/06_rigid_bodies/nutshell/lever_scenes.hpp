@@ -1,6 +1,7 @@
 // Chapter 6 · Levers: a bar on a pivot, and things on it that weigh.
 #pragma once
 #include <nutshell/pendulum_scenes.hpp>
+#include <vector>
 
 namespace nutshell {
 
