@@ -1,7 +1,6 @@
 // Diagrams of chapter 6's first half, with the scenes' own numbers.
 #include <nutshell/chart/diagram.hpp>
-#include <nutshell/lever_scenes.hpp>
-#include <nutshell/mesh_shapes.hpp>
+#include <nutshell/pendulum_scenes.hpp>
 #include "program.hpp"
 
 namespace nutshell {
@@ -39,39 +38,6 @@ void torque(lab::Report& report) {
     chart::write_svg(all, report.path("torque.svg"));
 }
 
-/// The seesaw of the scene, level: two weights, two arms.
-void seesaw_forces(lab::Report& report) {
-    const double metres_a_newton = 0.001;
-    chart::Diagrams all;
-    all.title = "A seesaw is level where the torques cancel";
-    all.subtitle = "Orange: weights, 1 m is 1000 N. The plank's own weight acts at the pivot.";
-    all.width = 900;
-    for (const Lever& lever : {seesaw(), balanced_seesaw()}) {
-        Diagram d;
-        const double torque = lever(lever.start, 0).torque.z();
-        d.title = torque == 0 ? "in balance" : "the child goes down";
-        d.rod({lever.left, 0}, {lever.right, 0});
-        d.polygon({{0, 0}, {-0.16, -lever.height}, {0.16, -lever.height}});
-        std::string sum;
-        for (const Load& load : lever.loads) {
-            const double weight = load.mass * gravity.y();
-            d.box({load.place, 0.14}, 0.24, 0.24);
-            d.note({load.place, 0.42}, lab::rounded(load.mass) + " kg");
-            d.arrow({load.place, 0}, {0, metres_a_newton * weight}, Quantity::force,
-                    lab::rounded(-weight) + " N");
-            sum += (load.place < 0 ? "" : " − ") + lab::rounded(std::abs(load.place * weight));
-        }
-        d.dimension({lever.loads[0].place, -0.95}, {0, -0.95},
-                    lab::rounded(-lever.loads[0].place) + " m");
-        d.dimension({0, -0.95}, {lever.loads[1].place, -0.95},
-                    lab::rounded(lever.loads[1].place) + " m");
-        d.subtitle = "τ = " + sum + " = " + lab::rounded(torque) + " N m";
-        if (torque != 0) d.arc({0, 0}, 0.7, pi - 0.5, pi + 0.5, Quantity::torque, "τ");
-        all.panels.push_back(d);
-    }
-    chart::write_svg(all, report.path("seesaw_forces.svg"));
-}
-
 /// The pendulum at 50 degrees: the weight, its arm, and how long the arm across it is.
 void pendulum_forces(lab::Report& report) {
     const Pendulum scene = rod_pendulum(50 * pi / 180);
@@ -80,14 +46,14 @@ void pendulum_forces(lab::Report& report) {
     Diagram d;
     d.title = "The weight turns the pendulum back";
     d.subtitle =
-        "1 kg on a rod of 1 m, at 50°: τ = −m g d sin θ = " + lab::rounded(torque, "%.2f") +
+        "1 kg on a rod of 1 m, at 50°: τ = −m g r sin θ = " + lab::rounded(torque, "%.2f") +
         " N m.";
     d.wall({0.25, 0}, {-0.25, 0});
     d.dashed({{0, 0}, {0, -1.15}});
     d.rod({0, 0}, {bob.x(), bob.y()}).ball({bob.x(), bob.y()}, 0.07);
     d.arrow({bob.x(), bob.y()}, {0, -0.5}, Quantity::force, "m g");
     d.angle({0, 0}, 0.35, -pi / 2, -pi / 2 + scene.angle, "θ");
-    d.dimension({0, -1.3}, {bob.x(), -1.3}, "d sin θ");
+    d.dimension({0, -1.3}, {bob.x(), -1.3}, "r sin θ");
     d.arc({0, 0}, 0.62, -pi / 2 + scene.angle - 0.1, -pi / 2 + 0.25, Quantity::torque, "τ");
     chart::write_svg(d, report.path("pendulum_forces.svg"));
     report.number("diagram.pendulum.torque", torque, "N m");
@@ -107,7 +73,7 @@ void particles(lab::Report& report) {
     d.dashed({{0, -0.2}, {0, 1.2}});
     d.rod({0, 0}, {place.x(), place.y()}).ball({place.x(), place.y()}, 0.06);
     d.arrow({0, 0}, {0, 1}, Quantity::angular_velocity, "ω");
-    d.arrow({0, 0}, {L.x(), L.y()}, Quantity::angular_momentum, "L = m (r² ω − (r·ω) r)");
+    d.arrow({0, 0}, {L.x(), L.y()}, Quantity::angular_momentum, "L");
     d.dimension({0, -0.28}, {place.x(), -0.28}, "distance from the axis");
     report.number("diagram.particle.along", L.y(), "kg m^2/s");
     report.number("diagram.particle.across", L.x(), "kg m^2/s");
@@ -170,7 +136,7 @@ void parallel(lab::Report& report) {
     d.note({point.x - 0.1, point.y - 0.12}, "A");
     d.note({0.1, -0.16}, "C");
     d.note({0.36, 0.13}, "x");
-    d.note({-0.6, -0.32}, "a");
+    d.note({-0.6, -0.32}, "c");
     chart::write_svg(d, report.path("parallel.svg"));
 }
 
@@ -178,7 +144,6 @@ void parallel(lab::Report& report) {
 
 void diagrams(lab::Report& report) {
     torque(report);
-    seesaw_forces(report);
     pendulum_forces(report);
     particles(report);
     there_and_back(report);

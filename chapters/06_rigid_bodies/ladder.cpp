@@ -138,13 +138,8 @@ void costs(lab::Report& report) {
                      nanoseconds(Spinning{point, scene.start.orientation}, Gravity{}, spin_on),
                  as_ball = nanoseconds(ball, Gravity{}, one_verlet),
                  as_body = nanoseconds(lopsided, Gravity{}, one_verlet);
-    chart::Ranking ranking;
-    ranking.title = "What an orientation costs";
-    ranking.subtitle = "One step of Verlet, thrown, on this machine.";
-    ranking.columns = {"processor time of a step [ns]", "numbers in the state"};
     lab::Table table{{"model", "ns a step", "numbers"}, {}};
     const auto row = [&](const char* name, const char* key, double ns, int numbers) {
-        ranking.rows.push_back({name, {}, {ns, static_cast<double>(numbers)}, "", ""});
         table.add({name, lab::rounded(ns, "%.0f"), std::to_string(numbers)});
         report.number(std::string("ladder.cost.") + key, ns, "ns");
     };
@@ -154,7 +149,6 @@ void costs(lab::Report& report) {
     row("a body with three moments", "body", as_body, 13);
     report.print(table);
     report.number("ladder.cost.ratio", as_body / as_point);
-    chart::write_svg(ranking, report.path("ladder_cost.svg"));
 }
 
 }  // namespace

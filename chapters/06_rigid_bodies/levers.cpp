@@ -1,5 +1,4 @@
 // Levers and seesaws: torques in balance and out of it, and what inertia does to the same torque.
-#include <nutshell/chart/chart.hpp>
 #include <nutshell/lab/study.hpp>
 #include <nutshell/lever_scenes.hpp>
 #include <nutshell/rigid_methods.hpp>
@@ -75,26 +74,6 @@ void levers(lab::Report& report) {
              require(least.has_value(), "levers: a method does not meet the seesaw's need");
              report.number("lever." + method.key() + ".steps", static_cast<double>(least->steps));
          });
-
-    chart::Chart chart;
-    chart.title = "The same torque turns the heavier seesaw faster";
-    chart.subtitle = "Two seesaws out of balance by the same torque, until an end touches.";
-    chart.x = {"time [s]", chart::Scale::linear, 0};
-    chart.y = {"tilt [degrees]", chart::Scale::linear, 0};
-    for (const Lever& lever : {heavy_and_near(), light_and_far()}) {
-        double mass = 0;
-        for (const Load& load : lever.loads) mass += load.mass;
-        chart::Series series{lab::rounded(mass) + " kg of riders at " +
-                             lab::rounded(lever.loads[1].place) + " m"};
-        series.draw = chart::Draw::line;
-        for (int i = 0; i <= 60; ++i) {
-            const double t = lever.duration * i / 60;
-            series.x.push_back(t);
-            series.y.push_back(std::abs(lever.motion(t).angle) * 180 / pi);
-        }
-        chart.series.push_back(series);
-    }
-    chart::write_svg(chart, report.path("seesaws.svg"));
 }
 
 }  // namespace nutshell

@@ -80,7 +80,7 @@ class LiveSeesaw : public live::Figure {
     pic::Camera camera(pic::Size size) const override {
         pic::Drawing room;
         room.add(pic::Trail{.points = {{-2.1, -0.6, 0}, {2.1, 0.75, 0}}});
-        return pic::fit(room, {0.15, 0.25, 1}, size, {.margin = 0.02});
+        return pic::fit(room, {0, 0.22, 1}, size, {.margin = 0.02});
     }
     std::vector<live::Number> numbers() const override {
         const double g = gravity.y();

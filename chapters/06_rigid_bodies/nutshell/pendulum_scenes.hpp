@@ -10,7 +10,7 @@ namespace nutshell {
 // [pendulum_period]
 /// The period [s] of a pendulum that is let go at `angle` [rad] from hanging: 4 sqrt(l/g) K(k), k
 /// = sin(angle/2). Exact at any angle below pi; accurate to a few units in the last place.
-/// @param length  l = I/(m d) [m]: of the rod if all mass is at its end, 2/3 of a uniform rod
+/// @param length  l = I/(m r) [m]: of the rod if all mass is at its end, 2/3 of a uniform rod
 /// @throws std::invalid_argument unless 0 <= angle < pi and the length is greater than zero
 inline double pendulum_period(double length, double angle) {
     require_positive(length, "pendulum_period: the length [m]");
@@ -59,7 +59,7 @@ struct Pendulum {
           start(checked(Pinned{inertia, exponential({0, 0, start_angle})})),
           duration(3 * pendulum_period(length(), start_angle)) {}
 
-    /// Length [m] of the pendulum with all mass in one point that swings alike: I/(m d).
+    /// Length [m] of the pendulum with all mass in one point that swings alike: I/(m r).
     double length() const { return start.inertia.z() / (mass * distance); }
     /// Angular frequency of small swings [rad/s].
     double omega() const { return std::sqrt(-gravity.y() / length()); }
