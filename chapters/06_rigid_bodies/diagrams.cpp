@@ -120,7 +120,7 @@ void parallel(lab::Report& report) {
     Diagram d;
     d.title = "The mixed terms cancel, two squares remain";
     d.subtitle = "A particle seen from the centre of mass C and from a point A.";
-    const chart::Place centre{0, 0}, point{-1.3, -0.35}, particle{0.55, 0.45};
+    const chart::Place centre{0, 0}, point{-1.3, -0.35}, particle{0.45, 0.35};
     d.polygon({{-0.9, -0.5},
                {0.1, -0.75},
                {1.0, -0.4},
@@ -131,12 +131,10 @@ void parallel(lab::Report& report) {
     d.dashed({point, particle});
     d.centre(centre);
     d.ball(particle, 0.05);
-    d.arrow(centre, {particle.x - centre.x, particle.y - centre.y}, Quantity::plain);
-    d.arrow(point, {centre.x - point.x, centre.y - point.y}, Quantity::plain);
+    d.arrow(centre, {particle.x - centre.x, particle.y - centre.y}, Quantity::plain, "x");
+    d.arrow(point, {centre.x - point.x, centre.y - point.y}, Quantity::plain, "c");
     d.note({point.x - 0.1, point.y - 0.12}, "A");
     d.note({0.1, -0.16}, "C");
-    d.note({0.36, 0.13}, "x");
-    d.note({-0.6, -0.32}, "c");
     chart::write_svg(d, report.path("parallel.svg"));
 }
 
