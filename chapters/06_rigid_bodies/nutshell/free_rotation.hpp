@@ -11,9 +11,7 @@ namespace nutshell {
 /// into the body, divide by the principal moments, turn back: R I0^-1 R^T L. Source: eq. (53*).
 /// @param inertia  principal moments [kg m^2]    @param L  [kg m^2/s], world axes
 inline Vector3 angular_velocity(const Vector3& inertia, const Quaternion& q, const Vector3& L) {
-    // exercise 6.8
     return rotate(q, rotate(inverse(q), L).cwiseQuotient(inertia));
-    // end 6.8
 }
 // [/angular_velocity]
 

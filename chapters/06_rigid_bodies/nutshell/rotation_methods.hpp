@@ -19,7 +19,9 @@ inline void printed_rotation(const Vector3& inertia, Quaternion& q, const Vector
 /// order; gains energy. Source: eqs. (53*), (56*).
 inline void explicit_rotation(const Vector3& inertia, Quaternion& q, const Vector3& L,
                               double dt) {
+    // exercise 6.8
     q = product(exponential(angular_velocity(inertia, q, L) * dt), trimmed(q));
+    // end 6.8
 }
 // [/explicit_rotation]
 
