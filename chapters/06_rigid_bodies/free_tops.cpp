@@ -24,6 +24,7 @@ double about_middle(const Pinned& body) {
 void when_it_flips(lab::Report& report) {
     const FreeBody scene = flip();
     report.heading("The flip: moments 1, 2, 3 kg m^2, spun about the middle axis");
+    report.number("flip.spin", angular_velocity(scene.start).norm(), "rad/s");
     report.number("flip.first", scene.solution.first_flip(), "s");
     report.number("flip.between", scene.solution.between_flips(), "s");
     report.say("It flips after " + lab::rounded(scene.solution.first_flip(), "%.6f") +
@@ -74,6 +75,11 @@ void when_it_flips(lab::Report& report) {
                       });
              report.number("flip." + method.key() + ".flips", flips);
          });
+    // near the middle axis what is off it grows as e^(growth t)
+    const Vector3 I = scene.start.inertia, J = I.cwiseInverse();
+    report.number("flip.growth",
+                  scene.start.angular_momentum.y() * std::sqrt((J[1] - J[2]) * (J[0] - J[1])),
+                  "1/s");
     // omega in the world: how far it strays while L stands still
     double farthest = 0;
     for (int i = 0; i <= 3000; ++i) {

@@ -29,13 +29,15 @@ void steady(lab::Report& report) {
         report.number(key + ".rises", std::abs(c.y() - scene.centre(scene.start).y()), "m");
         report.number(key + ".error", lab::measure(scene, methods::yoshida4, 600).max_error, "m");
     }
-    // The gyroscopic term left out: the top falls as a pendulum would.
+    // The gyroscopic term left out: how fast the top then goes round
     const HeavyTopScene scene = steady_top(0);
-    double lowest = scene.distance;
-    lab::run(scene, methods::engine_step_without_gyroscopic, 600,
-             [&](const Pinned& b, double) { lowest = std::min(lowest, scene.centre(b).y()); });
-    report.number("steady.no_gyroscopic.lowest", lowest, "m");
-    report.number("steady.height", scene.centre(scene.start).y(), "m");
+    double turned = 0, before = 0;
+    lab::run(scene, methods::engine_step_without_gyroscopic, 6000, [&](const Pinned& b, double) {
+        const Vector3 c = scene.centre(b);
+        const double now = std::atan2(-c.z(), c.x());
+        turned += std::remainder(now - before, 2 * pi), before = now;
+    });
+    report.number("steady.no_gyroscopic", turned / scene.duration, "rad/s");
 }
 
 void nodding(lab::Report& report) {
@@ -145,6 +147,7 @@ void sleeping(lab::Report& report) {
                                  });
     };
     const double found = 1 / lab::stability_limit(sleeps, 0.5 / limit, 2 / limit);
+    report.number("sleeping.lean", 1e-3 * degrees, "degrees");
     report.number("sleeping.law", limit, "kg m^2/s");
     report.number("sleeping.found", found, "kg m^2/s");
     report.number("sleeping.off", std::abs(found / limit - 1));

@@ -36,6 +36,8 @@ struct MagnusRotation {
     }
     static About<MagnusRotation> about() {
         using V = const Vector3&;
+        const char* by_now =
+            "the marked lines read M0 and square, which are made of L above them";
         return {
             .title = "Fourth order, without asking the pose",
             .hints =
@@ -109,6 +111,13 @@ struct MagnusRotation {
                               [](V inertia, Quaternion& q, V L, double dt) {
                                   with(inertia, q, L, dt, 1. / 12, 1. / 8);
                               }}},
+            .survivors = {{"L frozen", by_now},
+                          {"L.x and y swapped", by_now},
+                          {"L.x zeroed", by_now},
+                          {"L.y and z swapped", by_now},
+                          {"L.y zeroed", by_now},
+                          {"L.z and x swapped", by_now},
+                          {"L.z zeroed", by_now}},
         };
     }
 #endif

@@ -59,7 +59,7 @@ struct RateInBody {
             .picture = "s8.svg",
             .mistakes =
                 {{"the torque in the world's axes", "classic: the wrong frame",
-                  "The top falls where it should go round.",
+                  "The top staggers, the more the further it has turned.",
                   "You add the torque as it stands in the world to an M that lives in the body. "
                   "Turn it into the body first.",
                   [](F y, V J, V torque) -> FlatPinned {
@@ -76,21 +76,21 @@ struct RateInBody {
                       });
                   }},
                  {"no gyroscopic term", "classic: the default of several engines",
-                  "The top falls over as if it did not spin.",
+                  "The top goes round three times too slowly.",
                   "M changes by the torque only. Seen from the body, L turns back as well.",
                   [](F y, V J, V torque) -> FlatPinned {
                       return with(y, J,
                                   [&](Q q, V, V) -> Vector3 { return q.conjugate() * torque; });
                   }},
                  {"the gyroscopic term twice", "classic: added by two hands",
-                  "Tops nod and tumble too fast.", "The gyroscopic term is counted twice.",
+                  "Tops and handles tumble too fast.", "The gyroscopic term is counted twice.",
                   [](F y, V J, V torque) -> FlatPinned {
                       return with(y, J, [&](Q q, V M, V w) -> Vector3 {
                           return 2 * M.cross(w) + q.conjugate() * torque;
                       });
                   }},
                  {"the gyroscopic term of the wrong sign", "classic: omega x L",
-                  "Tops go round the wrong way.",
+                  "Energy and |L| are perfect, and L swings round.",
                   "Seen from the body, L turns the other way round: M x omega.",
                   [](F y, V J, V torque) -> FlatPinned {
                       return with(y, J, [&](Q q, V M, V w) -> Vector3 {

@@ -37,7 +37,7 @@ struct GyroscopicTerm {
             .picture = "kept.svg",
             .mistakes =
                 {{"of the wrong sign", "classic: omega x L",
-                  "Energy and |L| are perfect, and bodies flip that should not.",
+                  "Energy and |L| are perfect, and L swings round in the world.",
                   "Seen from the body, L turns the other way round: M x omega, not omega x M.",
                   [](V J, V M) -> Vector3 { return J.cwiseProduct(M).cross(M); }},
                  {"missing", "classic: the default of several engines",
