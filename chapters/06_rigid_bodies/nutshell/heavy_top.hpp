@@ -31,10 +31,10 @@ inline std::array<double, 2> steady_precession(const Top& top, double L3, double
             "steady_precession: L3^2 < 4 I1 m g l cos(angle): it falls, spin it faster");
     require(std::abs(c) > 1e-12,
             "steady_precession: horizontal, there is one rate only: m g l/L3");
-    // exercise 6.13
+    // exercise 6.12
     const double far = L3 + std::copysign(std::sqrt(root), L3);  // nothing cancels
     return {2 * top.weight / far, far / (2 * top.across * c)};
-    // end 6.13
+    // end 6.12
 }
 
 /// The spin [kg m^2/s] above which a top stands upright: L3^2 = 4 I1 m g l.

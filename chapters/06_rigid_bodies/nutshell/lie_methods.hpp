@@ -86,14 +86,14 @@ inline Pinned unflat(const FlatPinned& y, Pinned like) {
 /// @param y  the 4-vector of the pose, then M, which is L in body axes [kg m^2/s]
 /// @param J  inverse principal moments [1/(kg m^2)]    @param torque  [N m], world axes
 inline FlatPinned rate_in_body(const FlatPinned& y, const Vector3& J, const Vector3& torque) {
-    // exercise 6.12
+    // exercise 6.13
     const Quaternion q(Eigen::Vector4d(y.head<4>()));
     const Vector3 M = y.tail<3>(), omega = J.cwiseProduct(M);
     FlatPinned rate;
     rate << product(q, four_vector(omega / 2, 0)).coeffs(),
         gyroscopic_term(J, M) + rotate(inverse(q), torque);
     return rate;
-    // end 6.12
+    // end 6.13
 }
 inline FlatPinned rate(const Pinned& body, const Wrench& push) {
     return rate_in_body(flat(body), body.inertia.cwiseInverse(), push.torque);

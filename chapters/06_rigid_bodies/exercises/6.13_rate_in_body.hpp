@@ -1,4 +1,4 @@
-// Exercise 6.12: a turning body as seven numbers, where the torque is in the wrong frame.
+// Exercise 6.13: a turning body as seven numbers, where the torque is in the wrong frame.
 #pragma once
 #include <nutshell/lie_methods.hpp>
 #include "exercise.hpp"
@@ -6,7 +6,7 @@
 namespace nutshell::exercises {
 
 struct RateInBody {
-    static constexpr const char *id = "6.12", *function = "rate_in_body";
+    static constexpr const char *id = "6.13", *function = "rate_in_body";
     static constexpr auto subject = NUTSHELL_CALL(rate_in_body);
 
     template <class Answer>

@@ -1,4 +1,4 @@
-// Exercise 6.13: the two speeds at which a top goes round without nodding.
+// Exercise 6.12: the two speeds at which a top goes round without nodding.
 #pragma once
 #include <nutshell/heavy_top.hpp>
 #include "exercise.hpp"
@@ -6,7 +6,7 @@
 namespace nutshell::exercises {
 
 struct SteadyPrecession {
-    static constexpr const char *id = "6.13", *function = "steady_precession";
+    static constexpr const char *id = "6.12", *function = "steady_precession";
     static constexpr auto subject = NUTSHELL_CALL(steady_precession);
 
     template <class Answer>
