@@ -33,7 +33,7 @@ void question(lab::Report& report) {
         drawing.add(
             pic::Trail{.points = round, .colour = pic::palette::angular_velocity, .width = 4});
         pic::Drawing room;
-        room.add(pic::Ball{.centre = {0, 0.45, 0}, .radius = 0.98});
+        room.add(pic::Ball{.centre = {0, 0.5, 0}, .radius = 1.08});
         return pic::Shot{
             drawing, pic::fit(room, {0.35, 0.3, 1}, {800, 420}, {.margin = 0.02}), {800, 420}};
     });
