@@ -23,7 +23,7 @@ class LiveFlip : public live::Figure {
                  .words = "Magnus' step, over the first flip",
                  .setting = {0, {60}},
                  .time = 5,
-                 .instants = {0, 3, 3.6, 4.05, 4.5, 5.1, 7.5}},
+                 .instants = {0, 3.4, 4.05, 4.7, 7.5}},
                 {.key = "printed", .words = "as printed", .setting = {2, {60}}, .time = 5},
                 {.key = "corrected",
                  .words = "with a constant ω in each step",

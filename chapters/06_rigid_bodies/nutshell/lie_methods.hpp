@@ -67,6 +67,7 @@ State lie_rk4(const State& state, const Forces& forces, double t, double dt) {
 // [/lie_rk4]
 
 // [body_flat]
+// [pinned_flat]
 /// A pinned body as seven numbers for the general-purpose methods: 4-vector, and L in body axes.
 /// Nothing keeps the 4-vector's length at one.
 using FlatPinned = Eigen::Matrix<double, 7, 1>;
@@ -95,6 +96,7 @@ inline FlatPinned rate_in_body(const FlatPinned& y, const Vector3& J, const Vect
     return rate;
     // end 6.13
 }
+// [/pinned_flat]
 inline FlatPinned rate(const Pinned& body, const Wrench& push) {
     return rate_in_body(flat(body), body.inertia.cwiseInverse(), push.torque);
 }
