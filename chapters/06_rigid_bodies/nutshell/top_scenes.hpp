@@ -58,7 +58,7 @@ inline FreeBody flip() {
 /// over the bar's.
 struct Handle {
     double bar = 1.8;  ///< [m]
-    double stem = 0.554697 * bar;
+    double stem = 0.5546918369 * bar;
     /// Of the bar's middle, seen from the centre of mass, along y [m].
     double foot() const { return -stem * stem / 2 / (bar + stem); }
 };
