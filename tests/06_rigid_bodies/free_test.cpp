@@ -190,55 +190,6 @@ TEST_CASE("Magnus' step on S7: the same bits from every compiler, since no funct
     CHECK(body.orientation.w() == 0x1.9af8204bfa406p-1);
 }
 
-TEST_CASE("The handle of the flip, two thin rods, has moments as 1 to 2 to 3 about its centre of mass") {
-    const Handle handle;
-    const double m = handle.bar, n = handle.stem;  // one kilogram a metre
-    const auto rod = [](double length, int axis) -> Vector3 {
-        Vector3 moments = Vector3::Constant(length * length * length / 12);
-        moments[axis] = 0;
-        return moments;
-    };
-    const MassProperties whole = assemble(std::array{solid(m, rod(m, 0), {0, handle.foot(), 0}),
-                                                     solid(n, rod(n, 1), {0, handle.foot() + n / 2, 0})});
-    CHECK(whole.centre.norm() < 4 * epsilon);
-    const Vector3 moments = whole.inertia.diagonal() / whole.inertia(2, 2);
-    CHECK(moments.x() == Approx(1. / 3).epsilon(1e-9));  // of the ten digits that Handle has
-    CHECK(moments.y() == Approx(2. / 3).epsilon(1e-9));
-}
-
-TEST_CASE("The rule of sub-steps: 0.3 rad a step keep any body within a fifth of a pixel for ten turns") {
-    double value = 0.1;
-    const auto next = [&] { return value = 3.9 * value * (1 - value); };
-    double at_rule = 0, twice = 0;
-    for (int i = 0; i < 200; ++i) {
-        const Vector3 part = Vector3::Constant(0.1) + Vector3(next(), next(), next());
-        const Vector3 inertia = Vector3::Constant(part.sum()) - part;
-        const Vector3 axis = Vector3(next() - 0.5, next() - 0.5, next() - 0.5).normalized();
-        for (const double theta : {longest_turn, 2 * longest_turn}) {
-            const double steps = std::ceil(20 * pi / theta);  // of one second
-            const FreeBody body("some", inertia, theta * axis, steps, {1, "rad", ""});
-            double& worst = theta == longest_turn ? at_rule : twice;
-            worst =
-                std::max(worst, lab::measure(body, methods::kick_magnus_kick, std::lround(steps)).max_error);
-        }
-    }
-    const double pixel = 1. / 960;
-    CHECK(at_rule < pixel / 5);
-    CHECK(twice > 16 * 0.9 * at_rule);  // fourth order
-    CHECK(twice > pixel);
-
-    Pinned ball{{1, 1, 1}};
-    CHECK(substeps(spinning(ball, {0, 17.9, 0}), 1. / 60) == 1);
-    CHECK(substeps(spinning(ball, {0, 18.1, 0}), 1. / 60) == 2);
-    CHECK(substeps(spinning(Pinned{{1, 2, 2.5}, exponential({0.3, 1, 0.2})}, {0, 0, 0}), 1. / 60) == 1);
-    CHECK_THROWS_WITH(substeps(ball, 0), ContainsSubstring("substeps"));
-    // 20 turns a second with a wobble: lost at 1/60, right in seven parts
-    const FreeBody wobble = fast_wobble();
-    REQUIRE(substeps(wobble.start, 1. / 60) == 7);
-    CHECK(error_of(wobble, methods::kick_magnus_kick) > 100 * wobble.need.tolerance);
-    CHECK(error_of(wobble, methods::kick_magnus_kick, 60 * 7) < 0.1 * wobble.need.tolerance);
-}
-
 TEST_CASE("Failure: a constant omega as the drift keeps Verlet from converging near the middle axis") {
     const FreeBody scene = near_middle_axis();
     for (const long steps_a_second : {60L, 240L, 960L})

@@ -1,4 +1,4 @@
-// Exercise 6.11: the free rotation to fourth order, where body L is taken from the pose too often.
+// Exercise 6.11: the free rotation to fourth order; body L taken from the pose too often.
 #pragma once
 #include <nutshell/rotation_methods.hpp>
 #include "free_bodies.hpp"

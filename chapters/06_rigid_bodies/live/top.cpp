@@ -150,8 +150,8 @@ class LiveTop : public live::Figure {
                 b.orientation.w(),     b.angular_momentum.x(), b.angular_momentum.y(),
                 b.angular_momentum.z()};
     }
-    /// sin and cos in the start and in every step; near upright the motion doubles their last digit
-    /// again and again.
+    /// sin and cos in the start and in every step; near upright the motion doubles their last
+    /// digit again and again.
     double page_tolerance() const override { return 1e-8; }
 
   private:

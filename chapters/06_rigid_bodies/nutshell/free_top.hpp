@@ -73,7 +73,7 @@ class FreeTop {
         return M;
     }
 
-    /// Time between two flips [s]: from one passing of M2 = 0 to the next. Infinite if there are none.
+    /// Time between two flips [s]: from one passing of M2 = 0 to the next. Infinite without any.
     double between_flips() const {
         return simple_ ? std::numeric_limits<double>::infinity() : 2 * quarter_ / rate_;
     }
