@@ -17,20 +17,18 @@ const std::vector<std::size_t> numbers{1,    3,      10,     32,      100,     3
                                        3162, 10'000, 31'623, 100'000, 316'228, 1'000'000};
 const Quaternion some_pose = quaternion_about({1, 2, 3}, 0.9);
 
+using Loops = std::vector<std::function<void()>>;
+
 /// The least time of several rounds for one item [ns]; the ways take turns, so that a while in
 /// which the machine is busy hits all of them.
-template <std::size_t N>
-std::array<double, N> least(std::size_t items, const std::array<std::function<void()>, N>& ways) {
-    std::array<double, N> best;
-    best.fill(1e300);
+std::vector<double> least(std::size_t items, const Loops& ways) {
+    std::vector<double> best(ways.size(), 1e300);
     for (int round = 0; round < 5; ++round)
-        for (std::size_t i = 0; i < N; ++i)
+        for (std::size_t i = 0; i < ways.size(); ++i)
             best[i] = std::min(best[i],
                                1e9 / static_cast<double>(items) * lab::time_of(ways[i], 1, 5e-4));
     return best;
 }
-
-using Loops = std::array<std::function<void()>, 3>;
 
 struct Arrays {
     std::vector<std::vector<double>> all;
@@ -49,100 +47,96 @@ struct Arrays {
     }
 };
 
-/// What a panel shows: the time of one `item` by three ways.
-struct Measured {
-    const char *key, *item, *title;
-    std::array<chart::Series, 3> ways;
-    std::array<const char*, 3> keys;
+/// One way to do it: its key among the numbers, its line on the chart.
+struct Way {
+    const char* key;
+    chart::Series line;
+    Way(const char* its_key, const char* name, const Look& look) : key(its_key), line{name} {
+        line.look = look;
+    }
+    /// What no way can beat.
+    explicit Way(const char* floor) : key("floor"), line{floor} {
+        line.draw = chart::Draw::theory;
+    }
 };
 
-/// Measures it from one item to a million: a panel, a CSV file, and the numbers in the cache and from
-/// memory. `on(n)` makes n items and hands over the three loops.
+/// The time of one `item` by several ways, from one item to a million: a panel, a CSV file, and the
+/// numbers in the cache and from memory. `on(n)` makes n items and hands over the loops.
 template <class On>
-chart::Chart panel(lab::Report& report, Measured what, const On& on) {
-    const std::string item = what.item;
+chart::Chart panel(lab::Report& report, const std::string& key, const std::string& item,
+                   std::vector<Way> ways, const On& on) {
     lab::Table data{{item + "s"}, {}};
-    for (const char* key : what.keys) data.columns.push_back(std::string(key) + "_ns");
+    for (const Way& way : ways) data.columns.push_back(std::string(way.key) + "_ns");
     for (const std::size_t n : numbers) {
-        const std::array<double, 3> best = least<3>(n, on(n));
+        const std::vector<double> best = least(n, on(n));
         std::vector<std::string> row{std::to_string(n)};
-        for (std::size_t i = 0; i < 3; ++i) {
-            what.ways[i].x.push_back(static_cast<double>(n)), what.ways[i].y.push_back(best[i]);
+        for (std::size_t i = 0; i < ways.size(); ++i) {
+            ways[i].line.x.push_back(static_cast<double>(n)), ways[i].line.y.push_back(best[i]);
             row.push_back(lab::exact_digits(best[i]));
         }
         data.add(row);
         if (n != 1000 && n != 1'000'000) continue;
-        const std::string key =
-            std::string("cost.") + what.key + (n == 1000 ? "_cache." : "_memory.");
+        const std::string at = "cost." + key + (n == 1000 ? "_cache." : "_memory.");
         std::string words = std::to_string(n) + " " + item + "s:";
-        for (std::size_t i = 0; i < 3; ++i) {
-            report.number(key + what.keys[i], best[i], "ns");
-            words += " " + what.ways[i].name + " " + lab::rounded(best[i]) + " ns";
+        for (std::size_t i = 0; i < ways.size(); ++i) {
+            report.number(at + ways[i].key, best[i], "ns");
+            words += " " + ways[i].line.name + " " + lab::rounded(best[i]) + " ns";
         }
-        report.number(key + "ratio", std::max(best[0], best[1]) / std::min(best[0], best[1]));
+        report.number(at + "ratio", std::max(best[0], best[1]) / std::min(best[0], best[1]));
         report.say(words);
     }
-    report.data("cost_" + std::string(what.key) + ".csv", data);
+    report.data("cost_" + key + ".csv", data);
     chart::Chart chart;
-    chart.title = what.title;
     chart.x = {item + "s", chart::Scale::logarithmic};
     chart.y = {"time per " + item + " [ns]", chart::Scale::logarithmic};
-    chart.series.assign(what.ways.begin(), what.ways.end());
+    for (const Way& way : ways) chart.series.push_back(way.line);
     return chart;
 }
 
-chart::Series line(const char* name, const Look& look) {
-    chart::Series series{name};
-    series.look = look;
-    return series;
-}
-
 chart::Chart turning(lab::Report& report) {
-    chart::Series floor{"floor: in and out"};
-    floor.draw = chart::Draw::theory;
-    return panel(report,
-                 {"turn",
-                  "point",
-                  "one pose turns many points",
-                  {line("matrix, made once", matrix_look), line("4-vector", four_look), floor},
-                  {"matrix", "four_vector", "floor"}},
-                 [](std::size_t n) -> Loops {
-                     const auto points = std::make_shared<Arrays>(6, n);
-                     return {[=] {
-                                 const Eigen::Matrix<double, 3, 3, Eigen::RowMajor> r =
-                                     rotation_matrix(some_pose);
-                                 wide::turn_by_matrix(n, points->axes(3), points->axes(0),
-                                                      r.data());
-                             },
-                             [=] {
-                                 wide::turn_by_four_vector(n, points->axes(3), points->axes(0),
-                                                           some_pose.coeffs().data());
-                             },
-                             [=] { wide::stream_points(n, points->axes(3), points->axes(0)); }};
-                 });
+    const auto on = [](std::size_t n) -> Loops {
+        const auto points = std::make_shared<Arrays>(6, n);
+        return {[=] {
+                    const Eigen::Matrix<double, 3, 3, Eigen::RowMajor> r =
+                        rotation_matrix(some_pose);
+                    wide::turn_by_matrix(n, points->axes(3), points->axes(0), r.data());
+                },
+                [=] {
+                    wide::turn_by_four_vector(n, points->axes(3), points->axes(0),
+                                              some_pose.coeffs().data());
+                },
+                [=] { wide::stream_points(n, points->axes(3), points->axes(0)); }};
+    };
+    chart::Chart chart = panel(report, "turn", "point",
+                               {{"matrix", "matrix, made once", matrix_look},
+                                {"four_vector", "4-vector", four_look},
+                                Way("floor: in and out")},
+                               on);
+    chart.title = "one pose turns many points";
+    return chart;
 }
 
 chart::Chart composing(lab::Report& report) {
-    return panel(
-        report,
-        {"compose",
-         "pose",
-         "each pose is turned by its own turn",
-         {line("matrix", matrix_look), line("4-vector", four_look),
-          line("4-vector, normalised", unit_look)},
-         {"matrix", "four_vector", "unit"}},
-        [](std::size_t n) -> Loops {
-            // turns by no angle at all: the numbers stay as they are however often it is timed
-            const auto fours = std::make_shared<Arrays>(8, n),
-                       matrices = std::make_shared<Arrays>(18, n);
-            for (int i = 0; i < 4; ++i) std::fill_n((*fours)[4 + i], n, i == 3 ? 1.0 : 0.0);
-            for (int i = 0; i < 9; ++i)
-                std::fill_n((*matrices)[9 + i], n, i % 4 == 0 ? 1.0 : 0.0);
-            return {
-                [=] { wide::compose_matrices(n, matrices->matrices(0), matrices->matrices(9)); },
+    const auto on = [](std::size_t n) -> Loops {
+        // turns by no angle at all: the numbers stay as they are however often it is timed
+        const auto fours = std::make_shared<Arrays>(8, n),
+                   matrices = std::make_shared<Arrays>(18, n),
+                   eight = std::make_shared<Arrays>(8, n);
+        for (int i = 0; i < 4; ++i) std::fill_n((*fours)[4 + i], n, i == 3 ? 1.0 : 0.0);
+        for (int i = 0; i < 9; ++i) std::fill_n((*matrices)[9 + i], n, i % 4 == 0 ? 1.0 : 0.0);
+        return {[=] { wide::compose_matrices(n, matrices->matrices(0), matrices->matrices(9)); },
                 [=] { wide::compose_four_vectors(n, fours->fours(0), fours->fours(4)); },
-                [=] { wide::compose_unit_four_vectors(n, fours->fours(0), fours->fours(4)); }};
-        });
+                [=] { wide::compose_unit_four_vectors(n, fours->fours(0), fours->fours(4)); },
+                [=] { wide::stream_four_vectors(n, eight->fours(0), eight->fours(4)); }};
+    };
+    chart::Chart chart = panel(report, "compose", "pose",
+                               {{"matrix", "matrix", matrix_look},
+                                {"four_vector", "4-vector", four_look},
+                                {"unit", "4-vector, normalised", unit_look},
+                                Way("floor: in and out")},
+                               on);
+    chart.title = "each pose is turned by its own turn";
+    return chart;
 }
 
 /// A pose that changes every time, with k points on it: rotate each, or make a matrix first.
@@ -163,21 +157,21 @@ void when_to_convert(lab::Report& report) {
     for (const std::size_t k : std::vector<std::size_t>{1, 2, 3, 4, 5, 6, 8, 12, 16, 32, 64}) {
         const std::vector<Vector3> points(k, Vector3(0.3, -1.1, 0.7));
         std::vector<Vector3> turned_points(k);
-        const auto best = least<2>(poses, {[&] {
-                                               for (const Quaternion& q : all) {
-                                                   const Matrix3 r = rotation_matrix(q);
-                                                   for (std::size_t i = 0; i < k; ++i)
-                                                       turned_points[i] = r * points[i];
-                                                   lab::keep(turned_points[0]);
-                                               }
-                                           },
-                                           [&] {
-                                               for (const Quaternion& q : all) {
-                                                   for (std::size_t i = 0; i < k; ++i)
-                                                       turned_points[i] = rotate(q, points[i]);
-                                                   lab::keep(turned_points[0]);
-                                               }
-                                           }});
+        const auto best = least(poses, {[&] {
+                                            for (const Quaternion& q : all) {
+                                                const Matrix3 r = rotation_matrix(q);
+                                                for (std::size_t i = 0; i < k; ++i)
+                                                    turned_points[i] = r * points[i];
+                                                lab::keep(turned_points[0]);
+                                            }
+                                        },
+                                        [&] {
+                                            for (const Quaternion& q : all) {
+                                                for (std::size_t i = 0; i < k; ++i)
+                                                    turned_points[i] = rotate(q, points[i]);
+                                                lab::keep(turned_points[0]);
+                                            }
+                                        }});
         const auto x = static_cast<double>(k);
         matrix.x.push_back(x), four.x.push_back(x);
         matrix.y.push_back(best[0]), four.y.push_back(best[1]);

@@ -57,7 +57,8 @@ TEST_CASE("wide loops turn points as rotate does, for any number of points") {
 TEST_CASE("wide loops compose as product does, for any number of poses") {
     for (const std::size_t n : std::vector<std::size_t>{0, 1, 3, 4, 9, 257}) {
         const Poses before(n, 11);
-        Poses turn(n, 77), plain = before, unit = before;
+        Poses turn(n, 77), plain = before, unit = before, streamed = before;
+        wide::stream_four_vectors(n, streamed.view(), turn.view());
         wide::compose_four_vectors(n, plain.view(), turn.view());
         wide::compose_unit_four_vectors(n, unit.view(), turn.view());
         std::array<std::vector<double>, 9> pose_entries, turn_entries;
@@ -73,6 +74,7 @@ TEST_CASE("wide loops compose as product does, for any number of poses") {
         wide::compose_matrices(n, poses, turns);
         for (std::size_t i = 0; i < n; ++i) {
             const Quaternion exact = product(turn.at(i), before.at(i));
+            CHECK(streamed.at(i).coeffs() == before.at(i).coeffs() + turn.at(i).coeffs());
             CHECK(apart(plain.at(i), exact) <= identity);
             CHECK(apart(unit.at(i), exact) <= identity);
             CHECK(std::abs(unit.at(i).norm() - 1) <= 2 * epsilon);

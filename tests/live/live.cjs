@@ -59,9 +59,11 @@ async function examine(f, distance, sleep) {
     f.stage.scrollIntoView({block: 'center'});
     need(!f.canvas && still.getBoundingClientRect().width > 50, 'its still is not shown before it is started');
     need(still.querySelector('img').alt.length > 20, 'its still has no words for who does not see it');
+    const tall = f.stage.clientHeight;
     f.share = coarse;
     await f.start();
     if (!f.wasm) return gone('it does not start');
+    need(f.stage.clientHeight <= Math.max(tall, 416) + 1, `it is ${f.stage.clientHeight} px tall where its still was ${tall}: the page jumps`);
     for (let n = 0; n < 200 && !(f.time > 0); ++n) await sleep(50);
     need(f.time > 0, 'started, and nothing moves');
     f.apply(true); f.play(false);

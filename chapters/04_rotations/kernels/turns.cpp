@@ -63,6 +63,13 @@ NUTSHELL_WIDE void compose_unit_four_vectors(std::size_t n, FourVectors q, FourV
     }
 }
 
+NUTSHELL_WIDE void stream_four_vectors(std::size_t n, FourVectors q, FourVectors b) {
+    INDEPENDENT
+    for (std::size_t i = 0; i < n; ++i) {
+        q.x[i] += b.x[i], q.y[i] += b.y[i], q.z[i] += b.z[i], q.w[i] += b.w[i];
+    }
+}
+
 NUTSHELL_WIDE void compose_matrices(std::size_t n, const Matrices& pose, const Matrices& turn) {
     // by name: a loop over arrays of pointers would not become wide
     double *xx = pose[0], *xy = pose[1], *xz = pose[2], *yx = pose[3], *yy = pose[4],

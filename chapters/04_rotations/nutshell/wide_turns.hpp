@@ -24,6 +24,8 @@ void stream_points(std::size_t n, Axes out, ConstAxes in);
 void compose_four_vectors(std::size_t n, FourVectors pose, FourVectors turn);
 /// The same, each made as long as one afterwards.
 void compose_unit_four_vectors(std::size_t n, FourVectors pose, FourVectors turn);
+/// What neither can beat: eight numbers in, four out, with one addition each.
+void stream_four_vectors(std::size_t n, FourVectors pose, FourVectors turn);
 void compose_matrices(std::size_t n, const Matrices& pose, const Matrices& turn);
 
 }  // namespace nutshell::wide

@@ -126,7 +126,7 @@ class Live {
             this.apply(false);
         };
         const mark = ({mark: at, words}) => {
-            tick.hidden = !(at >= least && at <= most);
+            tick.hidden = !words || !(at >= least && at <= most);
             tick.textContent = words;
             tick.style.setProperty('--at', Math.min(Math.max(to(at), 0), 1));
         };
