@@ -7,14 +7,15 @@
 #   --live     where the figures that move were built     (build/default/live; without them the stills)
 #   --root     where the quoted sources are               (the project)
 #   --claims   print what stands behind each number and comparison of the text
+#   --unquoted print the numbers that no page quotes and no chart shows
 # Two editions: the learner's, and DIR/open with every body and answer shown, for print and for teachers.
 # A page that quotes something unknown stops the build: every complaint has a file, a line and what to do.
 # The old book stays in place until the new one is complete. How to write a page: book/HOWTO.md.
 set -eu
 export LC_ALL=C.UTF-8
 here=$(CDPATH= cd "$(dirname "$0")" && pwd)
-root=$(dirname "$here"); pages=$here; out=; results=; live=; claims=
-usage() { sed -n '2,9s/^# \{0,1\}//p' "$0"; }
+root=$(dirname "$here"); pages=$here; out=; results=; live=; claims=; unquoted=
+usage() { sed -n '2,10s/^# \{0,1\}//p' "$0"; }
 while [ $# -gt 0 ]; do
     case $1 in
         --out|--results|--pages|--root|--live)
@@ -22,6 +23,7 @@ while [ $# -gt 0 ]; do
             case $1 in --out) out=$2;; --results) results=$2;; --pages) pages=$2;; --root) root=$2;; --live) live=$2;; esac
             shift 2;;
         --claims) claims=yes; shift;;
+        --unquoted) unquoted=yes; shift;;
         -h|--help) usage; exit 0;;
         *) echo "book: unknown argument '$1'" >&2; usage >&2; exit 2;;
     esac
@@ -75,4 +77,5 @@ mv "$next" "$out"
 rm -rf "$out.old"
 trap - EXIT
 [ -z "$claims" ] || cat "$out/claims.csv"
+[ -z "$unquoted" ] || cat "$out/unquoted.txt"
 echo "book: $out/index.html"

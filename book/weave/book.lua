@@ -1,6 +1,6 @@
 -- book.lua: weaves all pages of the book in one run of pandoc (2.17 and newer). Called by build.sh.
 -- Pass 1 reads the pages and numbers what can be referred to; pass 2 weaves and writes. What a page may say: HOWTO.md.
--- The parts: report.lua (complaints with line), regions.lua (code), numbers.lua, claims.lua, figures.lua, errata.lua, boxes.lua, page.lua.
+-- The parts: report.lua (complaints with line), regions.lua (code), numbers.lua, tables.lua, claims.lua, figures.lua, errata.lua, boxes.lua, page.lua.
 PANDOC_VERSION:must_be_at_least("2.17", "book: pandoc %s or newer is needed, this is %s")
 local env = function(name) return os.getenv("BOOK_" .. name) end
 local here = env("HERE") .. "/weave/"
@@ -10,6 +10,7 @@ Report = dofile(here .. "report.lua")
 Csv = dofile(here .. "csv.lua")
 Regions = dofile(here .. "regions.lua")
 Numbers = dofile(here .. "numbers.lua")
+Tables = dofile(here .. "tables.lua")
 Figures = dofile(here .. "figures.lua")
 Errata = dofile(here .. "errata.lua")
 Labels = dofile(here .. "labels.lua")
@@ -173,6 +174,7 @@ local function write_all()
     for path in pairs(Book.sources) do Page.write_source(path) end
     Search.write(Book.pages)
     Claims.write()
+    Numbers.write_unquoted()
 end
 
 function Pandoc()
@@ -180,7 +182,7 @@ function Pandoc()
         local page = {name = name, file = name .. ".md", links = {}}
         Page.place(page)
         page.text = Page.read(Book.pages_dir .. "/" .. page.file)
-        page.doc = pandoc.read(page.text, markdown)
+        page.doc = pandoc.read(Tables.expand(page), markdown)
         Book.pages[#Book.pages + 1] = page
     end
     Errata.load()

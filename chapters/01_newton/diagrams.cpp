@@ -84,7 +84,7 @@ void tilted_ellipse(lab::Report& report) {
     chart::Diagram d;
     double turned = std::atan2(far_last.y, far_last.x) - std::atan2(far_first.y, far_first.x);
     turned = std::remainder(turned, 2 * pi);
-    report.number("planet.twenty_years.turned", turned, "rad");
+    report.number("planet.twenty_years.turned", turned, "rad", "tilted_ellipse.svg");
     d.title = "Verlet keeps the ellipse and turns it: " +
               lab::rounded(std::abs(turned) * 180 / pi, "%.0f") + "° in 19 years";
     d.subtitle = "Planet, " + std::to_string(steps) +
@@ -126,7 +126,7 @@ void landing(lab::Report& report) {
             before = here;
         });
         report.number("landing." + std::to_string(marks.bars.size()) + ".short", exact - lands,
-                      "m");
+                      "m", "landing.svg");
         arcs.series.push_back(std::move(arc));
         chart::Bar bar{machine.name, exact - lands};
         bar.text = lab::rounded(exact - lands, "%.2f") + " m";

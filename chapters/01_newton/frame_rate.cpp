@@ -80,7 +80,6 @@ void game_loop(lab::Report& report) {
     report.print(table);
     report.number("game_loop.following_least", least, "m");
     report.number("game_loop.following_most", most, "m");
-    report.number("game_loop.fixed_least", fixed_least, "m");
     report.number("game_loop.fixed_most", fixed_most, "m");
     report.number("game_loop.fixed_spread", fixed_most - fixed_least, "m");
     // how far the true ball flies in the one step by which the drawing is late

@@ -20,7 +20,7 @@ struct History {
     double turn = NAN;  ///< of the axis [rad/orbit]; none of Euler's, which has no ellipse
     double tilt =
         0;  ///< of the first ellipse: direction of the first aphelion, against the exact one [rad]
-    double year = 0;  ///< its length over the exact one, minus 1
+    double year = NAN;  ///< its length over the exact one, minus 1
 };
 
 template <class Method>
@@ -51,7 +51,9 @@ void conservation(lab::Report& report) {
     lab::Table table{{"method",
                       "energy, largest change",
                       "angular momentum, largest change",
-                      {"axis turns [rad/orbit]", "%.5f"}},
+                      {"axis turns [rad/orbit]", "%.5f"},
+                      {"first tilt [rad]", "%.5f"},
+                      "year too long by"},
                      {}};
     lab::Table data{{"orbits", "method", "energy_change", "angular_momentum_change"}, {}};
     chart::Chart energy;
@@ -63,14 +65,14 @@ void conservation(lab::Report& report) {
     std::vector<double> largest;
     each(newton_methods, [&](const auto& method) {
         History h = history_of(method);
-        table.add({method.name, h.largest_energy, h.largest_momentum, h.turn});
+        table.add({method.name, h.largest_energy, h.largest_momentum, h.turn, h.tilt, h.year});
         const std::string key = "planet." + method.key();
-        report.number(key + ".energy_change", h.largest_energy);
+        report.number(key + ".energy_change", h.largest_energy, "", "planet_energy.svg");
         report.number(key + ".momentum_change", h.largest_momentum);
         if (std::isfinite(h.turn)) {
             report.number(key + ".turn", h.turn, "rad");
-            report.number(key + ".tilt", h.tilt, "rad");
-            report.number(key + ".year_too_long", h.year);
+            report.number(key + ".tilt", h.tilt, "rad", "printed");
+            report.number(key + ".year_too_long", h.year, "", "printed");
         }
         for (std::size_t i = 0; i < h.momentum.size(); i += 10)
             data.add({h.energy.x[i], method.name, h.energy.y[i], h.momentum[i]});
@@ -109,7 +111,7 @@ void orders(lab::Report& report) {
                      by_end = lab::observed_order(at_end.x, at_end.y);
         table.add({method.name, by_largest, by_end});
         report.number(key + ".order", by_largest);
-        report.number(key + ".order_at_end", by_end);
+        report.number(key + ".order_at_end", by_end, "", "planet_orders.svg");
         return std::pair(largest, at_end);
     };
     study(methods::euler, 16000);
@@ -137,15 +139,11 @@ void cost(lab::Report& report) {
         const std::string key = "planet." + key_of(way.name);
         report.number(key + ".steps_an_orbit", static_cast<double>(way.run.steps) / scene.orbits);
         report.number(key + ".microseconds_an_orbit", way.run.seconds_per_second * 2 * pi * 1e6,
-                      "us");
+                      "us", "planet_need.svg");
     }
     const auto floor = lab::machine_floor();
-    report.number("machine.multiply_add", floor.multiply_add * 1e9, "ns");
-    report.number("machine.square_root", floor.square_root * 1e9, "ns");
     const auto& finest = curves[2].runs.back();
     const double per_step = finest.seconds_per_second * finest.dt;
-    report.number("planet.verlet.nanoseconds_a_step", per_step * 1e9, "ns");
-    report.number("planet.verlet.step_over_floor", per_step / floor.square_root);
     report.say("A Verlet step takes " + lab::rounded(per_step * 1e9) +
                " ns; one square root and division that wait for each other, the heart of its "
                "force, take " +
@@ -157,7 +155,6 @@ void cost(lab::Report& report) {
 void planet(lab::Report& report) {
     report.heading("Planet: e = 0.6, " + std::to_string(steps_an_orbit) + " steps an orbit, " +
                    std::to_string(orbits) + " orbits");
-    report.number("planet.steps_an_orbit", steps_an_orbit);
     conservation(report);
     orders(report);
     cost(report);

@@ -52,14 +52,14 @@ void thrown_ball(lab::Report& report) {
         const double predicted = throw_error(law, gravity, scene.duration, dt).y();
         table.add({method.name, error, predicted, std::abs(error - predicted)});
         report.number("throw." + method.key() + ".error", error, "m");
-        report.number("throw." + method.key() + ".off_the_law", std::abs(error - predicted), "m");
+        report.number("throw." + method.key() + ".off_the_law", std::abs(error - predicted), "m",
+                      "printed");
     };
     compare(methods::euler, Kicked::after_drift);
     compare(methods::semi_implicit_euler, Kicked::before_drift);
     compare(methods::verlet, Kicked::half_and_half);
     report.print(table);
 
-    report.number("throw.duration", scene.duration, "s");
     lab::study(report, scene, newton_methods,
                {.key = "throw",
                 .scene = "Thrown ball, " + lab::rounded(scene.duration) + " s, constant force.",

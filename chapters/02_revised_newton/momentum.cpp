@@ -56,7 +56,6 @@ void many_forces(lab::Report& report) {
     report.number("forces.net_of_ropes", net.norm(), "N");
     report.number("forces.orders", orders);
     report.number("forces.spread", spread, "m");
-    report.number("forces.path", first.position.norm(), "m");
     lab::report_least(report, "forces",
                       lab::least_of_each(ManyForces{}, lab::entries<ManyForces>(newton_methods)),
                       scene.need);

@@ -93,7 +93,8 @@ void chain_forces(lab::Report& report) {
     force(pulls[0], "left link, " + lab::rounded(pulls[0].norm(), "%.1f") + " N");
     force(pulls[1], "right link, " + lab::rounded(pulls[1].norm(), "%.1f") + " N");
     force(weight, "weight, " + lab::rounded(weight.norm(), "%.1f") + " N");
-    report.number("chain.diagram.sum", (pulls[0] + pulls[1] + weight).norm(), "N");
+    report.number("chain.diagram.sum", (pulls[0] + pulls[1] + weight).norm(), "N",
+                  "chain_forces.svg");
     chart::write_svg(d, report.path("chain_forces.svg"));
 }
 

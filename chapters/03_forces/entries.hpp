@@ -40,8 +40,9 @@ lab::Curve controlled(const Scene& scene, const std::vector<double>& tolerances,
 }
 
 /// The logarithmic leapfrog or a composition of it, which has method.evaluations kicks a step.
+/// @param runs  numbers of steps in a study
 template <class Method>
-lab::Entry<Planet> clock_entry(const Method& method) {
+lab::Entry<Planet> clock_entry(const Method& method, const std::vector<long>& runs) {
     return {method.name, method.look,
             [method](const Planet& scene, long steps) {
                 const double ds =
@@ -71,7 +72,8 @@ lab::Entry<Planet> clock_entry(const Method& method) {
                 return lab::time_of([&] {
                     lab::keep(run_until({scene.start}, method.start(scene), scene.duration, ds));
                 });
-            }};
+            },
+            runs};
 }
 
 }  // namespace nutshell

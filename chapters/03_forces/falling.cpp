@@ -81,15 +81,11 @@ void falling(lab::Report& report) {
     const double sinks = 2.0 / 9 * (steel - honey) * earth_gravity * radius * radius / viscosity;
     report.number("falling.honey.speed", sinks, "m/s");
     report.number("falling.honey.reynolds", honey * sinks * 2 * radius / viscosity);
-    report.number("falling.end_speed", scene.exact(scene.duration).velocity.norm(), "m/s");
-    report.number("falling.depth", -scene.exact(scene.duration).position.y(), "m");
     report.number("falling.kick_300.error",
                   lab::measure(scene, methods::exponential_kick, 300).max_error, "m");
     // Scaling the velocity alone, as `v *= 0.98` does: what is lost is the drift under it.
     const double scaled = lab::measure(scene, methods::semi_implicit_exponential, 300).max_error;
     report.number("falling.scaled_300.error", scaled, "m");
-    report.number("falling.euler_300.error", lab::measure(scene, methods::euler, 300).max_error,
-                  "m");
     auto entries = lab::entries<FallingWithDrag>(with_an_order);
     lab::report_orders(report, "falling", scene, entries, {80, 160, 320});
     entries.push_back(lab::entry<FallingWithDrag>(methods::exponential_kick));  // exact: no order
@@ -106,9 +102,6 @@ void falling(lab::Report& report) {
 
     const FallingInAir air;
     report.number("air.terminal_speed", air.terminal_speed(), "m/s");
-    report.number("air.drag", air.air, "kg/m");
-    report.number("air.depth", -air.exact(air.duration).position.y(), "m");
-    report.number("air.rk4.error", lab::measure(air, methods::rk4, 20).max_error, "m");
 }
 
 }  // namespace nutshell

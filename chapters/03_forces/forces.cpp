@@ -29,7 +29,9 @@ int main(int argc, char** argv) {
         nutshell::diagrams(report);
         nutshell::pictures(report);
         nutshell::announce_comparison(report);
-        nutshell::chains_and_cloths(report);
+        nutshell::hanging_chain(report);
+        nutshell::net_limits(report);
+        nutshell::hanging_cloth(report);
         nutshell::stiff_cloth(report);
         nutshell::scale(report);
     });

@@ -2,6 +2,7 @@
 // chapter's program and its tests, which find the same steps by running.
 #pragma once
 #include <functional>
+#include <map>
 #include <nutshell/forces_methods.hpp>
 #include <nutshell/forces_scenes.hpp>
 #include <nutshell/lab/stability.hpp>
@@ -83,44 +84,44 @@ struct OnSpring {
     }
 };
 
+using Limit = std::function<double(double omega, double g)>;
+
+/// The limits that have a closed form, by method.
+inline const std::map<std::string, Limit>& closed_forms() {
+    const auto general = [](Complex (*stability)(Complex)) -> Limit {
+        return [=](double omega, double g) { return general_limit(stability, omega, g); };
+    };
+    static const std::map<std::string, Limit> forms{
+        {methods::euler.name, euler_limit},
+        {methods::semi_implicit_euler.name, semi_implicit_limit},
+        {methods::semi_implicit_division.name, division_limit},
+        {methods::semi_implicit_exponential.name, exponential_limit},
+        {methods::verlet_re_evaluated.name, verlet_re_evaluated_limit},
+        {methods::exponential_verlet.name,
+         [](double omega, double) { return exponential_verlet_limit(omega); }},
+        {methods::exponential_verlet_inside.name, exponential_verlet_inside_limit},
+        {methods::explicit_midpoint.name, general(StabilityFunction::explicit_midpoint)},
+        {methods::rk4.name, general(StabilityFunction::rk4)},
+        {methods::dormand_prince.name, general(StabilityFunction::dormand_prince)},
+        {methods::implicit_euler.name, general(StabilityFunction::implicit_euler)},
+        {methods::implicit_midpoint.name, general(StabilityFunction::implicit_midpoint)}};
+    return forms;
+}
+
 /// Calls visit(method, theory) for every method that moves a body on a spring; theory is an OnSpring
 /// whose limit is the closed form, or where there is none the largest eigenvalue.
 template <class Visit>
 void each_limit(const Visit& visit) {
-    const auto known = [&](const auto& method, const auto& limit) {
-        visit(method, OnSpring{limit, [&method](double omega, double g, double dt) {
+    each(std::tuple_cat(kick_and_drift_methods, general_methods), [&](const auto& method) {
+        const auto form = closed_forms().find(method.name);
+        const Limit limit =
+            form != closed_forms().end() ? form->second : Limit([&](double omega, double g) {
+                return limit_by_eigenvalue(method, omega, g);
+            });
+        visit(method, OnSpring{limit, [&](double omega, double g, double dt) {
                                    return spring_matrix(method, omega, g, dt);
                                }});
-    };
-    const auto by_eigenvalue = [&](const auto& method) {
-        known(method, [&method](double omega, double g) {
-            return limit_by_eigenvalue(method, omega, g);
-        });
-    };
-    const auto general = [&](const auto& method, Complex (*stability)(Complex)) {
-        known(method,
-              [stability](double omega, double g) { return general_limit(stability, omega, g); });
-    };
-    known(methods::euler, euler_limit);
-    known(methods::semi_implicit_euler, semi_implicit_limit);
-    known(methods::semi_implicit_division, division_limit);
-    known(methods::semi_implicit_exponential, exponential_limit);
-    by_eigenvalue(methods::exponential_kick);
-    known(methods::verlet_re_evaluated, verlet_re_evaluated_limit);
-    by_eigenvalue(methods::verlet);
-    known(methods::exponential_verlet,
-          [](double omega, double) { return exponential_verlet_limit(omega); });
-    known(methods::exponential_verlet_inside, exponential_verlet_inside_limit);
-    by_eigenvalue(methods::yoshida4_re_evaluated);
-    by_eigenvalue(methods::yoshida4);
-    by_eigenvalue(methods::exponential_yoshida4);
-    by_eigenvalue(methods::kahan_li8_re_evaluated);
-    by_eigenvalue(methods::kahan_li8);
-    general(methods::explicit_midpoint, StabilityFunction::explicit_midpoint);
-    general(methods::rk4, StabilityFunction::rk4);
-    general(methods::dormand_prince, StabilityFunction::dormand_prince);
-    general(methods::implicit_euler, StabilityFunction::implicit_euler);
-    general(methods::implicit_midpoint, StabilityFunction::implicit_midpoint);
+    });
 }
 
 /// A net without gravity and drag, each particle that is not held with a little speed [m/s] of

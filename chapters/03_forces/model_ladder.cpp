@@ -55,7 +55,8 @@ constexpr double ball_radius = 0.1;  // [m]: who would see less?
 }  // namespace
 
 void model_ladder(lab::Report& report) {
-    report.heading("Model ladder: a ball of 1 kg and 10 cm radius, thrown");
+    report.heading("Model ladder: a ball of " + lab::rounded(ThrowInAir{}.start.mass) +
+                   " kg and " + lab::rounded(100 * ball_radius) + " cm radius, thrown");
     chart::Chart chart;
     chart.title = "How much model does a throw need?";
     chart.subtitle = "Largest distance from the throw with quadratic drag, over the flight.";
@@ -63,25 +64,23 @@ void model_ladder(lab::Report& report) {
     chart.y = {"distance from the truth [m]", chart::Scale::logarithmic};
     chart.tolerance = chart::Level{ball_radius, "the ball's own radius"};
     chart::Series none{"no drag"}, fitted{"linear drag"};
-    lab::Table data{{"speed", "flight", "no_drag_off", "linear_off"}, {}};
     for (const double speed : {1.0, 2.0, 3.0, 5.0, 7.0, 10.0, 14.0, 20.0, 30.0, 40.0}) {
         const Case truth = in_air(speed);
-        none.x.push_back(speed), none.y.push_back(off_the_truth(without(speed), truth));
-        fitted.x.push_back(speed), fitted.y.push_back(off_the_truth(linear(speed), truth));
-        data.add({lab::exact_digits(speed), lab::exact_digits(truth.flight),
-                  lab::exact_digits(none.y.back()), lab::exact_digits(fitted.y.back())});
+        none.add(speed, off_the_truth(without(speed), truth));
+        fitted.add(speed, off_the_truth(linear(speed), truth));
     }
     chart.series = {none, fitted};
-    report.data("ladder.csv", data);
-    chart::write_svg(chart, report.path("ladder.svg"));
+    report.draw("ladder", chart);
 
     const double full = ThrowInAir{}.start.velocity.norm();
     const Case truth = in_air(full);
     report.number("ladder.speed", full, "m/s");
     report.number("ladder.flight", truth.flight, "s");
     report.number("ladder.range", truth.air.exact(truth.flight).position.x(), "m");
-    report.number("ladder.no_drag.off", off_the_truth(without(full), truth), "m");
-    report.number("ladder.linear.off", off_the_truth(linear(full), truth), "m");
+    const double none_off = off_the_truth(without(full), truth),
+                 linear_off = off_the_truth(linear(full), truth);
+    report.number("ladder.no_drag.off", none_off, "m");
+    report.number("ladder.linear.off", linear_off, "m");
     report.number("ladder.drag_over_weight", truth.air.air * full * full / earth_gravity);
     const auto limit =
         [&](const auto& model) {  // the speed at which the model is off by the ball's radius
@@ -93,8 +92,9 @@ void model_ladder(lab::Report& report) {
             }
             return low;
         };
-    report.number("ladder.no_drag.good_to", limit(without), "m/s");
-    report.number("ladder.linear.good_to", limit(linear), "m/s");
+    const double none_limit = limit(without), linear_limit = limit(linear);
+    report.number("ladder.no_drag.good_to", none_limit, "m/s");
+    report.number("ladder.linear.good_to", linear_limit, "m/s");
 
     // What the simpler model saves: steps for a pixel, and time for the whole throw.
     ThrowInAir nothing, honey, air;
@@ -112,16 +112,13 @@ void model_ladder(lab::Report& report) {
     report.number("ladder.no_drag.nanoseconds", 1e9 * time_none, "ns");
     report.number("ladder.linear.nanoseconds", 1e9 * time_linear, "ns");
     report.number("ladder.air.nanoseconds", 1e9 * time_air, "ns");
-    report.number("ladder.air.steps", static_cast<double>(cheapest->steps));
+    report.number("ladder.air.steps", cheapest->steps);
     lab::Table table{{"model", "off the truth [m]", "steps for a pixel",
                       "time for the throw [ns]", "good to [m/s]"},
                      {}};
-    table.add({"no drag", lab::rounded(off_the_truth(without(full), truth)), "1",
-               lab::rounded(1e9 * time_none), lab::rounded(limit(without))});
-    table.add({"linear drag", lab::rounded(off_the_truth(linear(full), truth)), "1",
-               lab::rounded(1e9 * time_linear), lab::rounded(limit(linear))});
-    table.add({"quadratic drag", "0", std::to_string(cheapest->steps),
-               lab::rounded(1e9 * time_air), "-"});
+    table.add({"no drag", none_off, 1, 1e9 * time_none, none_limit});
+    table.add({"linear drag", linear_off, 1, 1e9 * time_linear, linear_limit});
+    table.add({"quadratic drag", 0, cheapest->steps, 1e9 * time_air, "-"});
     report.print(table);
 }
 

@@ -48,7 +48,7 @@ void numbers_of_captions(lab::Report& report) {
                                         damped.exact(dt * static_cast<double>(i)).position.x()));
         return most;
     };
-    report.number("picture.damped.naive", off(methods::verlet), "m");
+    report.number("picture.damped.verlet", off(methods::verlet), "m");
     report.number("picture.damped.exponential", off(methods::exponential_verlet), "m");
 }
 
@@ -56,11 +56,12 @@ void throws_picture(lab::Report& report) {
     ThrowInAir none, honey, air;
     none.air = 0;
     honey.air = 0, honey.drag = air.air * air.start.velocity.norm();
+    const double between = 0.25;  // [s]
     const pic::Note note{
         report.command(),
         "throw with three models of drag",
         "exact",
-        "0.25 s between images",
+        lab::rounded(between) + " s between images",
         {{"no drag, off at 2.5 s", distance(none.exact(2.5), air.exact(2.5)), "m"},
          {"linear drag, off at 2.5 s", distance(honey.exact(2.5), air.exact(2.5)), "m"}}};
     pic::save(report.path("throws.png"), note, [&]() -> pic::Sheet {
@@ -72,7 +73,7 @@ void throws_picture(lab::Report& report) {
                 path.push_back(scene.exact(0.03 * n).position);
             drawing.add(pic::Trail{.points = path, .colour = colour, .width = 3});
             for (int n = 0; n <= 12; ++n)
-                if (const Vector3 p = scene.exact(0.25 * n).position; p.y() >= 0)
+                if (const Vector3 p = scene.exact(between * n).position; p.y() >= 0)
                     drawing.add(pic::Ball{
                         .centre = p, .radius = 0.3, .colour = colour, .contact_shadow = true});
             drawing.add(pic::Label{.at = path.back() + Vector3(0, 0.6, 0), .text = words});
@@ -81,7 +82,9 @@ void throws_picture(lab::Report& report) {
         add(honey, "linear", pic::palette::gold);
         add(air, "quadratic", pic::palette::body);
         drawing.title("One throw, three models of drag")
-            .caption("a ball of 1 kg, radius 10 cm, at 18 m/s; an image every 0.25 s");
+            .caption("a ball of " + lab::rounded(air.start.mass) + " kg at " +
+                     lab::rounded(air.start.velocity.norm(), "%.0f") + " m/s; an image every " +
+                     lab::rounded(between) + " s");
         return pic::Shot{drawing, pic::fit(drawing, {0.12, 0.18, 1})};
     });
 }

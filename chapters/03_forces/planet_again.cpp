@@ -8,52 +8,53 @@ namespace {
 
 constexpr double orbits = 10;
 
-/// A method and the steps an orbit it is measured with.
-struct Tried {
-    lab::Entry<Planet> method;
-    std::vector<long> steps_an_orbit;
-};
-const std::vector<Tried> tried{
-    {lab::entry<Planet>(methods::verlet), {100, 200, 500, 1000, 2000, 5000}},
-    {lab::entry<Planet>(methods::yoshida4), {50, 100, 200, 500, 1000, 2000}},
-    {lab::entry<Planet>(methods::kahan_li8), {25, 40, 60, 100, 150, 200, 300}},
-    {lab::entry<Planet>(methods::rk4), {50, 100, 200, 500, 1000, 2000}},
-    {clock_entry(methods::logarithmic_leapfrog), {10, 20, 50, 100, 500, 2000, 5000}},
-    {clock_entry(methods::logarithmic_leapfrog8), {4, 6, 8, 12, 16, 20, 30}}};
+std::vector<long> times_orbits(std::vector<long> steps) {
+    for (long& n : steps) n *= static_cast<long>(orbits);
+    return steps;
+}
+
+/// A method, measured with so many steps an orbit.
+template <class Method>
+lab::Entry<Planet> tried(const Method& method, const std::vector<long>& steps_an_orbit) {
+    auto entry = lab::entry<Planet>(method);
+    entry.steps = times_orbits(steps_an_orbit);
+    return entry;
+}
 
 }  // namespace
 
 void planet_again(lab::Report& report) {
     const Planet scene = Planet::for_orbits(orbits);
     report.heading("Planet: e = 0.6, " + lab::rounded(orbits) + " orbits");
-    report.number("planet.orbits", orbits);
-    std::vector<lab::Entry<Planet>> list;
-    std::vector<lab::Curve> curves;
-    for (const auto& [method, steps_an_orbit] : tried) {
-        list.push_back(method);
-        std::vector<long> steps;
-        for (const long n : steps_an_orbit) steps.push_back(n * static_cast<long>(orbits));
-        curves.push_back(lab::work_precision(scene, std::vector{method}, steps).front());
-    }
-    auto least = lab::least_of_each(scene, list, 50, 500'000);
-    lab::report_least(report, "planet", least, scene.need);
+    const std::vector list{
+        tried(methods::verlet, {100, 200, 500, 1000, 2000, 5000}),
+        tried(methods::yoshida4, {50, 100, 200, 500, 1000, 2000}),
+        tried(methods::kahan_li8, {25, 40, 60, 100, 150, 200, 300}),
+        tried(methods::rk4, {50, 100, 200, 500, 1000, 2000}),
+        clock_entry(methods::logarithmic_leapfrog,
+                    times_orbits({10, 20, 50, 100, 500, 2000, 5000})),
+        clock_entry(methods::logarithmic_leapfrog8, times_orbits({4, 6, 8, 12, 16, 20, 30}))};
+    const lab::Plan plan{.key = "planet",
+                         .scene = "Planet, e = 0.6, " + lab::rounded(orbits) + " orbits.",
+                         .behind = "A clock that runs with the planet beats any order",
+                         .guides = {-2, -4, -8},
+                         .fewest = 50,
+                         .most = 500'000};
+    auto [least, curves] = lab::measured(scene, list, plan);
+    lab::report_least(report, plan.key, least, scene.need);
     curves.push_back(
         controlled(scene, {1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12}));
+    const std::string shown = "planet_need.svg";
     for (const auto& run : curves.back().runs)
         if (run.max_error <=
             scene.need.tolerance) {  // the coarsest tolerance that meets the need
-            report.number("planet.controlled.steps", static_cast<double>(run.steps));
-            report.number("planet.controlled.evaluations", static_cast<double>(run.evaluations));
-            report.number("planet.controlled.error", run.max_error, "a");
+            report.number("planet.controlled.steps", run.steps, "", shown);
+            report.number("planet.controlled.evaluations", run.evaluations, "", shown);
+            report.number("planet.controlled.error", run.max_error, "a", shown);
             least.push_back({curves.back().name, curves.back().look, run});
             break;
         }
-    lab::draw_study(report,
-                    {"planet",
-                     "Planet, e = 0.6, ten orbits.",
-                     "A clock that runs with the planet beats any order",
-                     {-2, -4, -8}},
-                    curves, least, scene.need);
+    lab::draw_study(report, plan, curves, least, scene.need);
     // The steps that control chooses: longest over shortest.
     double shortest = 1e9, longest = 0, last = 0;
     adaptive(flat(scene.start), right_hand_side(scene.start, scene), 0, scene.duration,
@@ -72,20 +73,17 @@ void planet_again(lab::Report& report) {
             controlled(scene, {middle}, false).runs.front().max_error <= scene.need.tolerance;
         (meets ? tight : loose) = middle;
     }
-    report.number(
-        "planet.controlled.searched",
-        static_cast<double>(controlled(scene, {tight}, false).runs.front().evaluations));
+    report.number("planet.controlled.searched",
+                  controlled(scene, {tight}, false).runs.front().evaluations);
     // What ten orbits do to the energy, as a share of it: positive is a gain.
     for (const double tolerance : {1e-6, 1e-10}) {
         const PointMass end = unflat(
             adaptive(flat(scene.start), right_hand_side(scene.start, scene), 0, scene.duration,
                      {tolerance, tolerance}, 0.01, [](const FlatPoint&, double) {}),
             scene.start);
-        const auto energy = [&](const PointMass& body) {
-            return body.velocity.squaredNorm() / 2 - scene.gm / body.position.norm();
-        };
+        const double start = scene.energy(scene.start);
         report.number("planet.controlled.energy_" + lab::rounded(tolerance, "%.0e"),
-                      (energy(end) - energy(scene.start)) / std::abs(energy(scene.start)));
+                      (scene.energy(end) - start) / std::abs(start));
     }
     // Two hundred steps of 2 pi/20: on the ellipse all the way, but not ten orbits.
     TimedPlanet planet{scene.start};

@@ -28,9 +28,8 @@ void draw_time_against_number(lab::Report& report, const std::vector<Kind>& kind
         floor.like_last = true;
         for (const Times& t : kind.times) {
             const auto n = static_cast<double>(t.particles);
-            one.x.push_back(n), one.y.push_back(t.one_pass);
+            one.add(n, t.one_pass), floor.add(n, t.floor());
             one.notes.push_back(lab::rounded(t.one_pass / t.floor(), "%.2f times the floor"));
-            floor.x.push_back(n), floor.y.push_back(t.floor());
         }
         chart.series.push_back(one), chart.series.push_back(floor);
     }
@@ -46,8 +45,7 @@ void draw_against_floor(lab::Report& report, const std::vector<Kind>& kinds) {
         "memory";
     chart.x = {"time per particle-step [ns]", chart::Scale::linear, 0};
     for (const Kind& kind : kinds)
-        for (const std::size_t n :
-             std::vector<std::size_t>{std::size_t{1000}, std::size_t{1'000'000}}) {
+        for (const std::size_t n : {std::size_t{1000}, std::size_t{1'000'000}}) {
             const auto near = std::min_element(
                 kind.times.begin(), kind.times.end(), [&](const Times& a, const Times& b) {
                     return std::abs(std::log(double(a.particles) / double(n))) <
@@ -63,13 +61,14 @@ void draw_against_floor(lab::Report& report, const std::vector<Kind>& kinds) {
             };
             bar(", verbs", near->verbs, variant(methods::semi_implicit_euler.look));
             bar(", one pass", near->one_pass, methods::semi_implicit_euler.look);
-            const std::string word = kind.word + (n == 1000 ? "_cache" : "_memory");
-            report.number("scale." + word + ".verbs", near->verbs, "ns");
-            report.number("scale." + word + ".one_pass", near->one_pass, "ns");
-            report.number("scale." + word + ".floor", near->floor(), "ns");
-            report.number("scale." + word + ".verbs_over_floor", near->verbs / near->floor());
-            report.number("scale." + word + ".one_pass_over_floor",
-                          near->one_pass / near->floor());
+            const std::string key = "scale." + kind.word + (n == 1000 ? "_cache" : "_memory");
+            const std::string shown = "scale_floor.svg";
+            report.number(key + ".verbs", near->verbs, "ns", shown);
+            report.number(key + ".one_pass", near->one_pass, "ns", shown);
+            report.number(key + ".floor", near->floor(), "ns", shown);
+            report.number(key + ".verbs_over_floor", near->verbs / near->floor(), "", shown);
+            report.number(key + ".one_pass_over_floor", near->one_pass / near->floor(), "",
+                          shown);
         }
     chart::write_svg(chart, report.path("scale_floor.svg"));
 }
@@ -78,12 +77,11 @@ void draw_against_floor(lab::Report& report, const std::vector<Kind>& kinds) {
 void finer_cloth(lab::Report& report, const std::vector<Times>& times) {
     constexpr double side = 2, mass = 0.4, stiffness = 100,
                      part_of_limit = 0.9;  // [m], [kg], [N/m]
-    lab::Table data{{"points along a side", "points", "steps_per_second", "seconds_per_second"},
-                    {}};
     chart::Chart chart;
     chart.title = "A finer cloth costs more twice";
-    chart.subtitle =
-        "2 m x 2 m, semi-implicit Euler at 0.9 of its limit: more points, and smaller steps";
+    chart.subtitle = lab::rounded(side) + " m x " + lab::rounded(side) + " m, " +
+                     methods::semi_implicit_euler.name + " at " + lab::rounded(part_of_limit) +
+                     " of its limit: more points, and smaller steps";
     chart.x = {"points along a side", chart::Scale::logarithmic};
     chart.y = {"processor time per simulated second [s/s]", chart::Scale::logarithmic};
     chart.tolerance = {1, "as fast as the clock, on one core"};
@@ -97,9 +95,7 @@ void finer_cloth(lab::Report& report, const std::vector<Times>& times) {
         const double step = part_of_limit * 2 / cloth_frequency(net.springs.kinds, each, 180);
         const double seconds = 1e-9 * t.one_pass * static_cast<double>(t.particles) / step;
         if (n < 6) continue;  // too few points for the limit of an endless cloth
-        data.add({lab::exact_digits(n), std::to_string(t.particles), lab::exact_digits(1 / step),
-                  lab::exact_digits(seconds)});
-        cost.x.push_back(n), cost.y.push_back(seconds);
+        cost.add(n, seconds);
         cost.notes.push_back(lab::rounded(1 / step, "%.0f steps a second"));
         if (seconds > 1 && finest_in_time == 0 &&
             cost.y.size() > 1) {  // where the line crosses one second, log-log
@@ -117,8 +113,7 @@ void finer_cloth(lab::Report& report, const std::vector<Times>& times) {
     report.number("cloth.finer.slope", slope);
     report.number("cloth.finer.in_time", finest_in_time);
     report.number("cloth.finer.million", cost.y[last], "s");
-    report.data("finer_cloth.csv", data);
-    chart::write_svg(chart, report.path("finer_cloth.svg"));
+    report.draw("finer_cloth", chart);
     report.say("cost of a finer cloth grows as (points along a side)^" +
                lab::rounded(slope, "%.2f") + "; " + lab::rounded(finest_in_time, "%.0f") +
                " along a side still run as fast as the clock");
@@ -132,28 +127,26 @@ void scale(lab::Report& report) {
     std::vector<Kind> kinds{{"anchored springs", "anchored", "anchored", {}},
                             {"chain", "in a chain", "chain", {}},
                             {"cloth", "in a cloth", "cloth", {}}};
-    for (const std::size_t n : std::vector<std::size_t>{10, 32, 100, 316, 1000, 3162, 10'000,
-                                                        31'623, 100'000, 316'228, 1'000'000}) {
+    for (const std::size_t n :
+         {10, 32, 100, 316, 1000, 3162, 10'000, 31'623, 100'000, 316'228, 1'000'000}) {
         kinds[0].times.push_back(time_anchored(n));
         kinds[1].times.push_back(time_net(timed_chain(n)));
         kinds[2].times.push_back(time_net(timed_cloth(n)));
     }
-    lab::Table data{{"scene", "particles", "three_verbs_ns", "one_pass_ns", "floor_streaming_ns",
-                     "floor_arithmetic_ns"},
-                    {}};
-    lab::Table shown{
-        {"scene", "particles", "three verbs", "one pass", "floor", "times the floor"}, {}};
+    lab::Table table{{"scene",
+                      "particles",
+                      "three verbs",
+                      "one pass",
+                      "floor of memory",
+                      "floor of arithmetic",
+                      {"times the floor", "%.2f"}},
+                     {}};
     for (const Kind& kind : kinds)
-        for (const Times& t : kind.times) {
-            data.add({kind.name, std::to_string(t.particles), lab::exact_digits(t.verbs),
-                      lab::exact_digits(t.one_pass), lab::exact_digits(t.streaming),
-                      lab::exact_digits(t.arithmetic)});
-            shown.add({kind.name, std::to_string(t.particles), lab::rounded(t.verbs),
-                       lab::rounded(t.one_pass), lab::rounded(t.floor()),
-                       lab::rounded(t.one_pass / t.floor(), "%.2f")});
-        }
-    report.print(shown);
-    report.data("scale.csv", data);
+        for (const Times& t : kind.times)
+            table.add({kind.name, t.particles, t.verbs, t.one_pass, t.streaming, t.arithmetic,
+                       t.one_pass / t.floor()});
+    report.print(table);
+    report.data("scale.csv", table);
     draw_time_against_number(report, kinds);
     draw_against_floor(report, kinds);
     finer_cloth(report, kinds[2].times);

@@ -50,11 +50,11 @@ void energy_of_ten_periods(lab::Report& report, const MassOnSpring& scene) {
                             scene.energy(s) / scene.energy(scene.start));
                  s = step(s, scene, 0.0, dt);
              }
-             const std::string key = "energy." + method.key();
+             const std::string key = "energy." + method.key(), shown = "spring_energy.svg";
              const auto [low, high] = std::minmax_element(series.y.begin(), series.y.end());
-             report.number(key + ".lowest", *low);
-             report.number(key + ".highest", *high);
-             report.number(key + ".end", series.y.back());
+             report.number(key + ".lowest", *low, "", shown);
+             report.number(key + ".highest", *high, "", shown);
+             report.number(key + ".end", series.y.back(), "", shown);
              chart.series.push_back(std::move(series));
          });
     chart::write_svg(chart, report.path("spring_energy.svg"));
@@ -108,9 +108,7 @@ void cost(lab::Report& report, const MassOnSpring& scene, const Methods& methods
     plan.guides = {-1, -2, -4, -8};
     plan.steps = {10, 20, 40, 80, 160, 320, 640, 1280, 2560, 5120};
     plan.fewest = 10, plan.most = 100'000;  // Euler would take 600 000
-    for (const auto& curve : lab::study(report, scene, methods, plan).curves)
-        report.number(plan.key + "." + key_of(curve.name) + ".nanoseconds",
-                      1e9 * curve.runs[7].seconds_per_second * curve.runs[7].dt, "ns");  // a step
+    lab::study(report, scene, methods, plan);
 }
 
 }  // namespace

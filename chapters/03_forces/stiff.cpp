@@ -53,7 +53,7 @@ Swing swing(const std::string& name, const SpringNet& net, Stepper step, double 
     for (long i = 0; i <= steps; ++i) {
         const double t = static_cast<double>(i) * dt;
         if (i % every == 0) {
-            result.line.x.push_back(t), result.line.y.push_back(sideways(all) / start);
+            result.line.add(t, sideways(all) / start);
             if (t > swing_time - 2)
                 result.kept = std::max(result.kept, std::abs(result.line.y.back()));
         }
@@ -81,21 +81,20 @@ void stiff_cloth(lab::Report& report) {
     const SpringNet net = swinging_cloth();
     const double limit = 2 / fastest_mode(net, net.start).frequency;
     const double steps_a_frame = std::ceil(frame / (0.9 * limit)), small = frame / steps_a_frame;
-    report.number("stiff.limit", limit, "s");
     report.number("stiff.steps_a_frame", steps_a_frame);
     report.number("stiff.frame_over_limit", frame / limit);
 
-    const Swing verlet = swing("Verlet", net, methods::verlet.start(net), small);
-    const Swing implicit = swing("implicit Euler", net, LinearImplicitEuler{}, frame);
+    const std::string by_newton = methods::implicit_euler.name;
+    const Swing verlet = swing(methods::verlet.name, net, methods::verlet.start(net), small);
+    const Swing implicit = swing(by_newton, net, LinearImplicitEuler{}, frame);
     const Swing implicit_small =
-        swing("implicit Euler, 4 steps", net, LinearImplicitEuler{}, frame / 4);
+        swing(by_newton + ", 4 steps", net, LinearImplicitEuler{}, frame / 4);
     const Swing based = swing("position-based", net, PositionBased{20}, frame);
-    lab::Table table{{"step", "steps a frame", "swing kept", "ms per second"}, {}};
+    lab::Table table{{"step", "steps a frame", {"swing kept", "%.3f"}, "ms per second"}, {}};
     const auto row = [&](const Swing& s, const std::string& key, double steps) {
-        table.add({s.line.name, lab::rounded(steps), lab::rounded(s.kept, "%.3f"),
-                   lab::rounded(s.milliseconds)});
-        report.number("stiff." + key + ".kept", s.kept);
-        report.number("stiff." + key + ".milliseconds", s.milliseconds, "ms");
+        table.add({s.line.name, steps, s.kept, s.milliseconds});
+        report.number("stiff." + key + ".kept", s.kept, "", "printed");
+        report.number("stiff." + key + ".milliseconds", s.milliseconds, "ms", "printed");
     };
     row(verlet, "verlet", steps_a_frame);
     row(implicit, "implicit", 1);
@@ -103,12 +102,12 @@ void stiff_cloth(lab::Report& report) {
     row(based, "position_based", 1);
     report.print(table);
 
-    lab::Table rest{{"step", "stretch at rest"}, {}};
+    lab::Table rest{{"step", {"stretch at rest [%]", "%.2f"}}, {}};
     const auto hang = [&](const std::string& name, const std::string& key, double by) {
-        rest.add({name, lab::rounded(100 * by, "%.2f %%")});
-        report.number("stiff." + key + ".stretch", by);
+        rest.add({name, 100 * by});
+        report.number("stiff." + key + ".stretch", by, "", "printed");
     };
-    hang("implicit Euler", "implicit", stretch(net, LinearImplicitEuler{}, frame));
+    hang(by_newton, "implicit", stretch(net, LinearImplicitEuler{}, frame));
     hang("position-based, 5 iterations", "based_5", stretch(net, PositionBased{5}, frame));
     hang("position-based, 20 iterations", "based_20", stretch(net, PositionBased{20}, frame));
     hang("position-based, 80 iterations", "based_80", stretch(net, PositionBased{80}, frame));
@@ -120,8 +119,9 @@ void stiff_cloth(lab::Report& report) {
     chart.title = "Stable at one step a frame, and no longer the same cloth";
     chart.subtitle =
         "A cloth held along its upper edge swings, no drag: its centre, over the "
-        "start. Verlet makes " +
-        lab::rounded(steps_a_frame) + " steps a frame, the others one.";
+        "start. " +
+        verlet.line.name + " makes " + lab::rounded(steps_a_frame) +
+        " steps a frame, the others one.";
     chart.x = {"time [s]"};
     chart.y = {"centre, sideways, over its start"};
     chart.series = {verlet.line, implicit.line, based.line};

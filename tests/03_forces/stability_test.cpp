@@ -1,6 +1,7 @@
 // Chapter 3: where each method breaks on one spring. Three ways to know it must agree: the closed form, the
 // largest eigenvalue of one step's matrix, and bisection on runs. Stable at 0.99 of the limit, unstable
 // at 1.01.
+#include <set>
 #include "check.hpp"
 #include "method_limits.hpp"
 
@@ -73,6 +74,14 @@ TEST_CASE("Every method, on every spring and under drag alone: closed form, eige
             check_limit(method, w, drag, limit, std::max(20'000L, theory.steps_to_grow(1e7, w, drag)));
         }
     });
+}
+
+TEST_CASE("Every method that moves a body on a spring stands in the table of limits, once") {
+    std::multiset<std::string> in_table, on_list{};
+    each_limit([&](const auto& method, const OnSpring&) { in_table.insert(method.name); });
+    each(std::tuple_cat(kick_and_drift_methods, general_methods),
+         [&](const auto& method) { on_list.insert(method.name); });
+    CHECK(in_table == on_list);  // the exact propagator and the planet's clocks have tests of their own
 }
 
 TEST_CASE("The limits that have a number of their own") {

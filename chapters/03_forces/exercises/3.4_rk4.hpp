@@ -33,11 +33,11 @@ struct RungeKutta4 {
         const int steps = static_cast<int>(std::lround(1 / paper.step(1.0 / 8)));
         paper.input("y' = -y + 2 t from y = 1, for 1 s in", steps, "steps");
         Eigen::Vector2d y(1, 0);
-        const auto flow = [](const Eigen::Vector2d& at, double t) -> Eigen::Vector2d {
+        const auto f = [](const Eigen::Vector2d& at, double t) -> Eigen::Vector2d {
             return {-at[0] + 2 * t, at[0] - 2 * at[1]};
         };
         for (int i = 0; i < steps; ++i)
-            y = answer(y, flow, i / static_cast<double>(steps), 1.0 / steps);
+            y = answer(y, f, i / static_cast<double>(steps), 1.0 / steps);
         paper.run("the first number at the end", y[0], 3 * std::exp(-1.0), 1.0);
     }
 
@@ -57,102 +57,101 @@ struct RungeKutta4 {
                 {{"the fourth look half way", "classic",
                   "It is no better than the midpoint rule, at twice the cost.",
                   "The fourth rate is that of the end: a whole step along the third, at t + dt.",
-                  []<class Flat, class Rate>(const Flat& y, const Rate& flow, double t,
+                  []<class Flat, class Rate>(const Flat& y, const Rate& f, double t,
                                              double dt) -> Flat {
-                      const Flat k1 = flow(y, t), k2 = flow(Flat(y + dt / 2 * k1), t + dt / 2),
-                                 k3 = flow(Flat(y + dt / 2 * k2), t + dt / 2),
-                                 k4 = flow(Flat(y + dt / 2 * k3), t + dt / 2);
+                      const Flat k1 = f(y, t), k2 = f(Flat(y + dt / 2 * k1), t + dt / 2),
+                                 k3 = f(Flat(y + dt / 2 * k2), t + dt / 2),
+                                 k4 = f(Flat(y + dt / 2 * k3), t + dt / 2);
                       return y + dt / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
                   }},
                  {"equal weights", "classic",
                   "Halving the step halves the error only, or quarters it; never a sixteenth.",
                   "You give all four rates the same weight. The two in the middle count twice, "
                   "and the sum is divided by six.",
-                  []<class Flat, class Rate>(const Flat& y, const Rate& flow, double t,
+                  []<class Flat, class Rate>(const Flat& y, const Rate& f, double t,
                                              double dt) -> Flat {
-                      const Flat k1 = flow(y, t), k2 = flow(Flat(y + dt / 2 * k1), t + dt / 2),
-                                 k3 = flow(Flat(y + dt / 2 * k2), t + dt / 2),
-                                 k4 = flow(Flat(y + dt * k3), t + dt);
+                      const Flat k1 = f(y, t), k2 = f(Flat(y + dt / 2 * k1), t + dt / 2),
+                                 k3 = f(Flat(y + dt / 2 * k2), t + dt / 2),
+                                 k4 = f(Flat(y + dt * k3), t + dt);
                       return y + dt / 4 * (k1 + k2 + k3 + k4);
                   }},
                  {"the third look repeats the second", "classic: copy and paste",
                   "The order drops to two or three.",
                   "k3 is found by going along k2, not along k1 again. That correction is what "
                   "the third look is for.",
-                  []<class Flat, class Rate>(const Flat& y, const Rate& flow, double t,
+                  []<class Flat, class Rate>(const Flat& y, const Rate& f, double t,
                                              double dt) -> Flat {
-                      const Flat k1 = flow(y, t), k2 = flow(Flat(y + dt / 2 * k1), t + dt / 2),
-                                 k3 = flow(Flat(y + dt / 2 * k1), t + dt / 2),
-                                 k4 = flow(Flat(y + dt * k3), t + dt);
+                      const Flat k1 = f(y, t), k2 = f(Flat(y + dt / 2 * k1), t + dt / 2),
+                                 k3 = f(Flat(y + dt / 2 * k1), t + dt / 2),
+                                 k4 = f(Flat(y + dt * k3), t + dt);
                       return y + dt / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
                   }},
                  {"time stands still", "classic",
                   "Forces that change with time act late; all is well where they do not.",
                   "The looks in the middle are at t + dt/2, the last is at t + dt. You ask for "
                   "all at t.",
-                  []<class Flat, class Rate>(const Flat& y, const Rate& flow, double t,
+                  []<class Flat, class Rate>(const Flat& y, const Rate& f, double t,
                                              double dt) -> Flat {
-                      const Flat k1 = flow(y, t), k2 = flow(Flat(y + dt / 2 * k1), t),
-                                 k3 = flow(Flat(y + dt / 2 * k2), t),
-                                 k4 = flow(Flat(y + dt * k3), t);
+                      const Flat k1 = f(y, t), k2 = f(Flat(y + dt / 2 * k1), t),
+                                 k3 = f(Flat(y + dt / 2 * k2), t), k4 = f(Flat(y + dt * k3), t);
                       return y + dt / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
                   }},
                  {"Euler's step", "classic", "Everything drifts off as in chapter 1.",
                   "You look once, at the start. That is Euler's method.",
-                  []<class Flat, class Rate>(const Flat& y, const Rate& flow, double t,
-                                             double dt) -> Flat { return y + dt * flow(y, t); }},
+                  []<class Flat, class Rate>(const Flat& y, const Rate& f, double t,
+                                             double dt) -> Flat { return y + dt * f(y, t); }},
                  {"the midpoint rule", "classic: RK2",
                   "The error falls to a quarter when the step is halved, not to a sixteenth.",
                   "Two looks make the midpoint rule, of second order. RK4 looks four times.",
-                  []<class Flat, class Rate>(const Flat& y, const Rate& flow, double t, double dt)
-                      -> Flat { return explicit_midpoint(y, flow, t, dt); }},
+                  []<class Flat, class Rate>(const Flat& y, const Rate& f, double t, double dt)
+                      -> Flat { return explicit_midpoint(y, f, t, dt); }},
                  {"no division by six", "classic", "Everything moves six times too far.",
                   "The weights 1, 2, 2, 1 add up to six: divide by it.",
-                  []<class Flat, class Rate>(const Flat& y, const Rate& flow, double t,
+                  []<class Flat, class Rate>(const Flat& y, const Rate& f, double t,
                                              double dt) -> Flat {
-                      const Flat k1 = flow(y, t), k2 = flow(Flat(y + dt / 2 * k1), t + dt / 2),
-                                 k3 = flow(Flat(y + dt / 2 * k2), t + dt / 2),
-                                 k4 = flow(Flat(y + dt * k3), t + dt);
+                      const Flat k1 = f(y, t), k2 = f(Flat(y + dt / 2 * k1), t + dt / 2),
+                                 k3 = f(Flat(y + dt / 2 * k2), t + dt / 2),
+                                 k4 = f(Flat(y + dt * k3), t + dt);
                       return y + dt * (k1 + 2 * k2 + 2 * k3 + k4);
                   }},
                  {"the middle rates counted once", "classic: the weights",
                   "Everything moves by two thirds of its way.",
                   "You divide by six, but count the two rates in the middle once: the weights "
                   "are 1, 2, 2, 1.",
-                  []<class Flat, class Rate>(const Flat& y, const Rate& flow, double t,
+                  []<class Flat, class Rate>(const Flat& y, const Rate& f, double t,
                                              double dt) -> Flat {
-                      const Flat k1 = flow(y, t), k2 = flow(Flat(y + dt / 2 * k1), t + dt / 2),
-                                 k3 = flow(Flat(y + dt / 2 * k2), t + dt / 2),
-                                 k4 = flow(Flat(y + dt * k3), t + dt);
+                      const Flat k1 = f(y, t), k2 = f(Flat(y + dt / 2 * k1), t + dt / 2),
+                                 k3 = f(Flat(y + dt / 2 * k2), t + dt / 2),
+                                 k4 = f(Flat(y + dt * k3), t + dt);
                       return y + dt / 6 * (k1 + k2 + k3 + k4);
                   }},
                  {"the looks forget dt", "classic: a rate for a way",
                   "With small steps the looks stand far away, and it gets worse.",
                   "You go along the rates as if they were ways. A rate times dt is a way: y + "
                   "dt/2 k1.",
-                  []<class Flat, class Rate>(const Flat& y, const Rate& flow, double t,
+                  []<class Flat, class Rate>(const Flat& y, const Rate& f, double t,
                                              double dt) -> Flat {
-                      const Flat k1 = flow(y, t), k2 = flow(Flat(y + k1 / 2), t + dt / 2),
-                                 k3 = flow(Flat(y + k2 / 2), t + dt / 2),
-                                 k4 = flow(Flat(y + k3), t + dt);
+                      const Flat k1 = f(y, t), k2 = f(Flat(y + k1 / 2), t + dt / 2),
+                                 k3 = f(Flat(y + k2 / 2), t + dt / 2),
+                                 k4 = f(Flat(y + k3), t + dt);
                       return y + dt / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
                   }},
                  {"Heun's method", "classic: RK2",
                   "The error falls to a quarter when the step is halved, not to a sixteenth.",
                   "The mean of the rates at the start and at the end is Heun's method, of second "
                   "order. RK4 looks twice in the middle too.",
-                  []<class Flat, class Rate>(const Flat& y, const Rate& flow, double t,
+                  []<class Flat, class Rate>(const Flat& y, const Rate& f, double t,
                                              double dt) -> Flat {
-                      const Flat k1 = flow(y, t), k2 = flow(Flat(y + dt * k1), t + dt);
+                      const Flat k1 = f(y, t), k2 = f(Flat(y + dt * k1), t + dt);
                       return y + dt / 2 * (k1 + k2);
                   }}},
             .alternatives = {{"by increments",
-                              []<class Flat, class Rate>(const Flat& y, const Rate& flow,
-                                                         double t, double dt) -> Flat {
-                                  const Flat a = dt * flow(y, t),
-                                             b = dt * flow(Flat(y + a / 2), t + dt / 2),
-                                             c = dt * flow(Flat(y + b / 2), t + dt / 2),
-                                             d = dt * flow(Flat(y + c), t + dt);
+                              []<class Flat, class Rate>(const Flat& y, const Rate& f, double t,
+                                                         double dt) -> Flat {
+                                  const Flat a = dt * f(y, t),
+                                             b = dt * f(Flat(y + a / 2), t + dt / 2),
+                                             c = dt * f(Flat(y + b / 2), t + dt / 2),
+                                             d = dt * f(Flat(y + c), t + dt);
                                   return y + (a + d) / 6 + (b + c) / 3;
                               }}},
         };

@@ -34,11 +34,12 @@ struct ExponentialKick {
                       "velocity falls towards the terminal velocity as an exponential. Add that "
                       "velocity up, and you have the way.",
                       "Let x = gamma dt/m. The old velocity decays by e^-x; what the force adds "
-                      "is the acceleration times dt, times the mean of the decay. mean_decay and "
-                      "second_mean_decay are there for you.",
+                      "is the acceleration times dt, times the mean of the decay, phi_1(-x). "
+                      "phi_1 and "
+                      "phi_2 are there for you.",
                       "The way of the old velocity is its mean over the step; the way of what "
                       "the force adds is the mean of a mean: acceleration times dt squared times "
-                      "second_mean_decay. force_at_rest gives the force without its drag."},
+                      "phi_2(-x). force_at_rest gives the force without its drag."},
             .mistakes =
                 {{"the drift uses the new velocity", "curriculum: scaling v alone",
                   "Everything falls a little too far, and less so with smaller steps.",
@@ -46,9 +47,8 @@ struct ExponentialKick {
                   "The drift must add up the velocity as it decays.",
                   [](auto state, const auto& forces, double t, double dt) {
                       const Vector3 acceleration = force_at_rest(state, forces, t) / state.mass;
-                      state.velocity =
-                          state.velocity * std::exp(-forces.drag * dt / state.mass) +
-                          acceleration * dt * mean_decay(forces.drag * dt / state.mass);
+                      state.velocity = state.velocity * std::exp(-forces.drag * dt / state.mass) +
+                                       acceleration * dt * phi_1(-forces.drag * dt / state.mass);
                       state.position += state.velocity * dt;
                       return state;
                   }},
@@ -59,9 +59,8 @@ struct ExponentialKick {
                   [](auto state, const auto& forces, double t, double dt) {
                       const Vector3 acceleration = force_at_rest(state, forces, t) / state.mass;
                       state.position += state.velocity * dt;
-                      state.velocity =
-                          state.velocity * std::exp(-forces.drag * dt / state.mass) +
-                          acceleration * dt * mean_decay(forces.drag * dt / state.mass);
+                      state.velocity = state.velocity * std::exp(-forces.drag * dt / state.mass) +
+                                       acceleration * dt * phi_1(-forces.drag * dt / state.mass);
                       return state;
                   }},
                  {"the velocity overwritten too early", "classic",
@@ -72,9 +71,9 @@ struct ExponentialKick {
                       const double x = forces.drag * dt / state.mass;
                       const Vector3 acceleration = force_at_rest(state, forces, t) / state.mass;
                       state.velocity =
-                          state.velocity * std::exp(-x) + acceleration * dt * mean_decay(x);
-                      state.position += state.velocity * dt * mean_decay(x) +
-                                        acceleration * dt * dt * second_mean_decay(x);
+                          state.velocity * std::exp(-x) + acceleration * dt * phi_1(-x);
+                      state.position +=
+                          state.velocity * dt * phi_1(-x) + acceleration * dt * dt * phi_2(-x);
                       return state;
                   }},
                  {"a fixed factor", "classic: v *= 0.98 per step",
@@ -93,10 +92,10 @@ struct ExponentialKick {
                   [](auto state, const auto& forces, double t, double dt) {
                       const double x = forces.drag * dt;
                       const Vector3 acceleration = force_at_rest(state, forces, t) / state.mass;
-                      state.position += state.velocity * dt * mean_decay(x) +
-                                        acceleration * dt * dt * second_mean_decay(x);
+                      state.position +=
+                          state.velocity * dt * phi_1(-x) + acceleration * dt * dt * phi_2(-x);
                       state.velocity =
-                          state.velocity * std::exp(-x) + acceleration * dt * mean_decay(x);
+                          state.velocity * std::exp(-x) + acceleration * dt * phi_1(-x);
                       return state;
                   }},
                  {"the drag twice", "classic", "Things stop twice as fast as they should.",
@@ -105,16 +104,16 @@ struct ExponentialKick {
                   [](auto state, const auto& forces, double t, double dt) {
                       const double x = forces.drag * dt / state.mass;
                       const Vector3 acceleration = forces(state, t) / state.mass;
-                      state.position += state.velocity * dt * mean_decay(x) +
-                                        acceleration * dt * dt * second_mean_decay(x);
+                      state.position +=
+                          state.velocity * dt * phi_1(-x) + acceleration * dt * dt * phi_2(-x);
                       state.velocity =
-                          state.velocity * std::exp(-x) + acceleration * dt * mean_decay(x);
+                          state.velocity * std::exp(-x) + acceleration * dt * phi_1(-x);
                       return state;
                   }},
                  {"no drag is a division by zero", "E08's kin",
                   "Where the air is turned off, everything becomes NaN.",
                   "The terminal velocity F/gamma is infinite where there is no drag. Written "
-                  "with mean_decay and second_mean_decay, no drag is no special case.",
+                  "with phi_1 and phi_2, no drag is no special case.",
                   [](auto state, const auto& forces, double t, double dt) {
                       const double x = forces.drag * dt / state.mass;
                       const Vector3 terminal = force_at_rest(state, forces, t) / forces.drag,
@@ -129,31 +128,30 @@ struct ExponentialKick {
                   [](auto state, const auto& forces, double t, double dt) {
                       const double x = -forces.drag * dt / state.mass;
                       const Vector3 acceleration = force_at_rest(state, forces, t) / state.mass;
-                      state.position += state.velocity * dt * mean_decay(x) +
-                                        acceleration * dt * dt * second_mean_decay(x);
+                      state.position +=
+                          state.velocity * dt * phi_1(-x) + acceleration * dt * dt * phi_2(-x);
                       state.velocity =
-                          state.velocity * std::exp(-x) + acceleration * dt * mean_decay(x);
+                          state.velocity * std::exp(-x) + acceleration * dt * phi_1(-x);
                       return state;
                   }},
                  {"the fall without its drag", "classic: a t^2/2",
                   "The velocity is right, and a long step falls too far.",
                   "The way of what the force adds is a dt^2/2 without drag only; with it the "
-                  "half becomes second_mean_decay(x).",
+                  "half becomes phi_2(-x).",
                   [](auto state, const auto& forces, double t, double dt) {
                       const double x = forces.drag * dt / state.mass;
                       const Vector3 a = force_at_rest(state, forces, t) / state.mass;
-                      state.position += state.velocity * dt * mean_decay(x) + a * dt * dt / 2;
-                      state.velocity = state.velocity * std::exp(-x) + a * dt * mean_decay(x);
+                      state.position += state.velocity * dt * phi_1(-x) + a * dt * dt / 2;
+                      state.velocity = state.velocity * std::exp(-x) + a * dt * phi_1(-x);
                       return state;
                   }},
                  {"the gain without its drag", "classic: v + a t",
                   "A falling stone never reaches its terminal velocity.",
-                  "What the force adds during the step decays too: a dt times mean_decay(x).",
+                  "What the force adds during the step decays too: a dt times phi_1(-x).",
                   [](auto state, const auto& forces, double t, double dt) {
                       const double x = forces.drag * dt / state.mass;
                       const Vector3 a = force_at_rest(state, forces, t) / state.mass;
-                      state.position += state.velocity * dt * mean_decay(x) +
-                                        a * dt * dt * second_mean_decay(x);
+                      state.position += state.velocity * dt * phi_1(-x) + a * dt * dt * phi_2(-x);
                       state.velocity = state.velocity * std::exp(-x) + a * dt;
                       return state;
                   }},
@@ -163,9 +161,8 @@ struct ExponentialKick {
                   [](auto state, const auto& forces, double t, double dt) {
                       const double x = forces.drag * dt / state.mass;
                       const Vector3 a = force_at_rest(state, forces, t);
-                      state.position += state.velocity * dt * mean_decay(x) +
-                                        a * dt * dt * second_mean_decay(x);
-                      state.velocity = state.velocity * std::exp(-x) + a * dt * mean_decay(x);
+                      state.position += state.velocity * dt * phi_1(-x) + a * dt * dt * phi_2(-x);
+                      state.velocity = state.velocity * std::exp(-x) + a * dt * phi_1(-x);
                       return state;
                   }}},
             .alternatives = {{"through the terminal velocity",

@@ -42,7 +42,7 @@ struct ExponentialVerletStep {
             .order = 2,
             .picture = "damped_spring.png",
             .mistakes =
-                {{"drag inside the kicks", "curriculum: naive Verlet",
+                {{"drag inside the kicks", "curriculum: Verlet with drag",
                   "The swing runs ahead or behind; half the step halves the error only.",
                   "This is plain Verlet with the drag in its force. Its second half-kick sees "
                   "the velocity before that kick, so it drops to first order.",

@@ -43,16 +43,17 @@ inline void implicit_decay(Particle& body, double drag, double dt) {
     body.momentum *= 1 / (1 + drag * dt / body.mass);
 }
 
-/// (1 - e^-x)/x, which is the mean of a decay over its interval; 1 at x = 0.
-inline double mean_decay(double x) {
-    return x == 0 ? 1 : -std::expm1(-x) / x;
+/// The function phi_1 of exponential integrators, (e^z - 1)/z; 1 at z = 0. phi_1(-x) is the mean
+/// of a decay e^-x over its interval.
+inline double phi_1(double z) {
+    return z == 0 ? 1 : std::expm1(z) / z;
 }
 
-/// (1 - mean_decay(x))/x; 1/2 at x = 0. By its series where the difference would lose digits.
-inline double second_mean_decay(double x) {
-    if (std::abs(x) > 0.5) return (1 - mean_decay(x)) / x;
+/// phi_2, (phi_1(z) - 1)/z; 1/2 at z = 0. By its series where the difference would lose digits.
+inline double phi_2(double z) {
+    if (std::abs(z) > 0.5) return (phi_1(z) - 1) / z;
     double term = 0.5, sum = 0.5;
-    for (int n = 3; std::abs(term) > 1e-17; ++n) sum += term *= -x / n;
+    for (int n = 3; std::abs(term) > 1e-17; ++n) sum += term *= z / n;
     return sum;
 }
 
@@ -73,9 +74,8 @@ State exponential_kick(State state, const Forces& forces, double t, double dt) {
     // exercise 3.5
     const double x = forces.drag * dt / state.mass;
     const Vector3 acceleration = force_at_rest(state, forces, t) / state.mass;
-    state.position +=
-        state.velocity * dt * mean_decay(x) + acceleration * dt * dt * second_mean_decay(x);
-    state.velocity = state.velocity * std::exp(-x) + acceleration * dt * mean_decay(x);
+    state.position += state.velocity * dt * phi_1(-x) + acceleration * dt * dt * phi_2(-x);
+    state.velocity = state.velocity * std::exp(-x) + acceleration * dt * phi_1(-x);
     return state;
     // end 3.5
 }

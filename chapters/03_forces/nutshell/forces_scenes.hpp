@@ -27,7 +27,7 @@ struct FallingWithDrag {
     PointMass exact(double t) const {
         const double x = drag * t / start.mass;
         const Vector3 v = terminal_velocity(), excess = start.velocity - v;
-        return {start.mass, start.position + v * t + excess * t * mean_decay(x),
+        return {start.mass, start.position + v * t + excess * t * phi_1(-x),
                 v + excess * std::exp(-x)};
     }
     double error(const PointMass& state, double t) const { return distance(state, exact(t)); }

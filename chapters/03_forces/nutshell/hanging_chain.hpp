@@ -75,7 +75,7 @@ EndTension end_tension(const ReachOf& reach_of, const Vector2& end, EndTension t
     const auto height = [&](const EndTension& at) {
         return reach_of(at).energy - at.horizontal * end.x() + at.vertical * end.y();
     };
-    for (int turn = 0; turn < 200; ++turn) {
+    for (int iteration = 0; iteration < 200; ++iteration) {
         const Reach now = reach_of(tension);
         const Vector2 step = now.change.inverse() * (end - now.end);
         const auto after = [&](double part) {

@@ -82,7 +82,7 @@ struct Mode {
 };
 
 /// @param at  the state whose positions the springs are linearised at
-inline Mode fastest_mode(const SpringNet& net, const Particles& at, int turns = 2000) {
+inline Mode fastest_mode(const SpringNet& net, const Particles& at, int iterations = 2000) {
     const Springs springs = list_of(net.springs);
     Mode mode{0, Vector3Array(at.size())};
     Vector3Array change(at.size());
@@ -95,7 +95,7 @@ inline Mode fastest_mode(const SpringNet& net, const Particles& at, int turns = 
             mode.shape.set(
                 i, {std::sin(1 + 7 * k * k), std::sin(2 + 5 * k * k), std::sin(3 + 3 * k * k)});
     }
-    for (int turn = 0; turn < turns; ++turn) {
+    for (int iteration = 0; iteration < iterations; ++iteration) {
         for (std::size_t i = 0; i < at.size(); ++i) change.set(i, Vector3::Zero());
         for (const auto& [a, b, spring] : springs.links) {
             const Vector3 on_a = spring_force_change(spring, at.position[a], at.position[b],

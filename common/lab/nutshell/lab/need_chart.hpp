@@ -37,7 +37,7 @@ void report_orders(Report& report, const std::string& key, const Scene& scene,
         if (method.measure(scene, steps.back()).max_error < round_off) continue;
         const double order = order_of(scene, method, steps);
         table.add({method.name, order});
-        report.number(key + "." + key_of(method.name) + ".order", order);
+        report.number(key + "." + key_of(method.name) + ".order", order, "", "printed");
     }
     report.print(table);
 }
