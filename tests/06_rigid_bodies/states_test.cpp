@@ -1,6 +1,6 @@
-// Chapter 6's part of the table of methods and states: the methods of chapters 1 and 3 move Body and Pinned from
-// the text that moves a PointMass, each at its own order. (Those that know drag ask for decay and stop, which a
-// body has not.)
+// Chapter 6's part of the table of methods and states: the methods of chapters 1 and 3 move Body and Pinned
+// from the text that moves a PointMass, each at its own order. (Those that know drag ask for decay and stop,
+// which a body has not.)
 #include <nutshell/rigid_methods.hpp>
 #include "03_forces/study.hpp"
 
@@ -17,7 +17,8 @@ const auto all_methods = std::tuple_cat(methods_of_forces, general_methods);
 const Quaternion tilted = exponential(Vector3(0.3, -1.1, 0.7));
 constexpr double stiffness = 3;  // [N/m]
 
-/// A needle of a compass turns to the field, the y axis; the torque is that of a unit of moment along its x axis.
+/// A needle of a compass turns to the field, the y axis; the torque is that of a unit of moment along its x
+/// axis.
 Vector3 torque_on(const Quaternion& orientation) {
     return (orientation * Vector3::UnitX()).cross(Vector3::UnitY());
 }

@@ -1,4 +1,5 @@
-// What the weaver lists and takes from lists: claims, labels, errata, tables from a CSV, numbers nobody quotes.
+// What the weaver lists and takes from lists: claims, labels, errata, tables from a CSV, numbers nobody
+// quotes.
 #include "check.hpp"
 #include "in_order.hpp"
 #include "little_book.hpp"

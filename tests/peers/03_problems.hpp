@@ -1,5 +1,5 @@
-// Chapter 3's scenes S2, S2d, S3 and S5 with the least state each needs (two numbers, four for the planet), as
-// both sides of the comparison see them; and how a run is timed and measured.
+// Chapter 3's scenes S2, S2d, S3 and S5 with the least state each needs (two numbers, four for the planet),
+// as both sides of the comparison see them; and how a run is timed and measured.
 #pragma once
 #include <nutshell/forces_methods.hpp>
 #include <nutshell/forces_scenes.hpp>

@@ -28,7 +28,7 @@ class Report {
     void say(const std::string& line);       ///< one printed line
     void print(const Table& table);          ///< a table, indented
     /// Keeps a number for numbers.csv, where the book finds it as NN_name/`name`. Prints nothing. One that no
-    /// page quotes is listed by `book/build.sh --unquoted`, unless `shown` says which chart or table shows it.
+    /// page quotes is listed by `book/build.sh --unquoted`, unless `shown` says which chart or table has it.
     void number(const std::string& name, double value, const std::string& unit = "",
                 const std::string& shown = "");
     template <std::integral Whole>
