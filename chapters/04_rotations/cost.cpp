@@ -139,6 +139,24 @@ chart::Chart composing(lab::Report& report) {
     return chart;
 }
 
+/// Turns all points by each pose in turn: by its matrix, made first, or as they are.
+void turn_by_matrices(const std::vector<Quaternion>& poses, const std::vector<Vector3>& points,
+                      std::vector<Vector3>& turned_points) {
+    for (const Quaternion& q : poses) {
+        const Matrix3 r = rotation_matrix(q);
+        for (std::size_t i = 0; i < points.size(); ++i) turned_points[i] = r * points[i];
+        lab::keep(turned_points[0]);
+    }
+}
+void turn_by_four_vectors(const std::vector<Quaternion>& poses,
+                          const std::vector<Vector3>& points,
+                          std::vector<Vector3>& turned_points) {
+    for (const Quaternion& q : poses) {
+        for (std::size_t i = 0; i < points.size(); ++i) turned_points[i] = rotate(q, points[i]);
+        lab::keep(turned_points[0]);
+    }
+}
+
 /// A pose that changes every time, with k points on it: rotate each, or make a matrix first.
 void when_to_convert(lab::Report& report) {
     constexpr std::size_t poses = 256;
@@ -157,21 +175,9 @@ void when_to_convert(lab::Report& report) {
     for (const std::size_t k : std::vector<std::size_t>{1, 2, 3, 4, 5, 6, 8, 12, 16, 32, 64}) {
         const std::vector<Vector3> points(k, Vector3(0.3, -1.1, 0.7));
         std::vector<Vector3> turned_points(k);
-        const auto best = least(poses, {[&] {
-                                            for (const Quaternion& q : all) {
-                                                const Matrix3 r = rotation_matrix(q);
-                                                for (std::size_t i = 0; i < k; ++i)
-                                                    turned_points[i] = r * points[i];
-                                                lab::keep(turned_points[0]);
-                                            }
-                                        },
-                                        [&] {
-                                            for (const Quaternion& q : all) {
-                                                for (std::size_t i = 0; i < k; ++i)
-                                                    turned_points[i] = rotate(q, points[i]);
-                                                lab::keep(turned_points[0]);
-                                            }
-                                        }});
+        const auto best =
+            least(poses, {[&] { turn_by_matrices(all, points, turned_points); },
+                          [&] { turn_by_four_vectors(all, points, turned_points); }});
         const auto x = static_cast<double>(k);
         matrix.x.push_back(x), four.x.push_back(x);
         matrix.y.push_back(best[0]), four.y.push_back(best[1]);
