@@ -23,6 +23,7 @@ class LiveRace : public live::Figure {
     }
     void begin(const live::Setting& setting) override {
         const double angle = setting.values.at(0) * pi / 180;
+        require(angle > 0 && angle < pi, "let go at: the angle must be between 0 and 180°");
         bob_ = rod_pendulum(angle), rod_ = compound_pendulum(angle);
         bob_now_ = bob_.start, rod_now_ = rod_.start;
         steps_ = 0, bob_hung_ = rod_hung_ = 0;

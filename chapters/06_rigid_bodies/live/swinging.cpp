@@ -23,7 +23,9 @@ class LiveSwinging : public live::Figure {
                  .most = 0.7,
                  .start = 0.05,
                  .mark = kicked ? limit : 0,
-                 .mark_words = kicked ? "limit of small swings " + digits(limit) + " s" : ""},
+                 .mark_words = kicked ? "2/ω = " + digits(std::round(1e4 * limit) / 1e4) +
+                                            " s, the limit of small swings"
+                                      : ""},
                 {.name = "let go at",
                  .unit = "°",
                  .least = 1,
@@ -49,7 +51,9 @@ class LiveSwinging : public live::Figure {
     void begin(const live::Setting& setting) override {
         chosen_ = setting.choice, dt_ = setting.values.at(0);
         require_positive(dt_, "the step dt [s]");
-        scene_ = compound_pendulum(setting.values.at(1) * pi / 180);
+        const double angle = setting.values.at(1) * pi / 180;
+        require(angle > 0 && angle < pi, "let go at: the angle must be between 0 and 180°");
+        scene_ = compound_pendulum(angle);
         run_ = live::Run<Pinned>(on_a_pivot, chosen_, scene_);
         path_ = {end_of(scene_.start)};
         most_ = 0;
@@ -65,7 +69,8 @@ class LiveSwinging : public live::Figure {
     }
     std::string ended() const override {
         if (std::isfinite(most_) && most_ < 200) return {};
-        return "It has " + digits(std::round(most_ / scene_.energy(scene_.start))) +
+        return "It flew apart: it has " +
+               digits(std::round(most_ / scene_.energy(scene_.start))) +
                " times the energy it began with.";
     }
     pic::Drawing drawing(double) const override {
