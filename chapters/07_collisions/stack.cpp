@@ -56,9 +56,13 @@ void carried(lab::Report& report) {
             if (boxes == 10)
                 report.number("stack.carried." + std::to_string(rounds), series.y.back());
         }
-        int half = 1;
-        while (carried_after(boxes, half) < 0.9) ++half;
-        report.number("stack.rounds_to_carry." + std::to_string(boxes), half);
+        int few = 1, enough = 2;  // rounds until the floor carries nine tenths
+        while (carried_after(boxes, enough) < 0.9) few = enough, enough *= 2;
+        while (enough - few > 1) {
+            const int middle = (few + enough) / 2;
+            (carried_after(boxes, middle) < 0.9 ? few : enough) = middle;
+        }
+        report.number("stack.rounds_to_carry." + std::to_string(boxes), enough);
         chart.series.push_back(series);
     }
     chart.levels_y = {{1, "all of it"}};
