@@ -70,7 +70,8 @@ void cost_against_size(lab::Report& report) {
             report.number(key + ".every", every.y.back(), "us");
         }
         chart.series = {falls, lies};
-        if (!cubes) chart.series.push_back(every), chart.guides = {0, 1};
+        if (!cubes)
+            chart.series.push_back(every), chart.guides = {0, 1}, chart.guide_name = "power";
         figure.panels.push_back(chart);
     }
     chart::write_svg(figure, report.path("pile_cost.svg"));
