@@ -1,10 +1,10 @@
 #include "check.hpp"
 #include <algorithm>
 #include <map>
-#include <stdexcept>
 #include "clues.hpp"
 #include "conduct.hpp"
 #include "diagnosis.hpp"
+#include "own_headers.hpp"
 #include "slips.hpp"
 #include "text.hpp"
 
@@ -13,10 +13,6 @@ namespace nutshell::judge {
 namespace fs = std::filesystem;
 
 namespace {
-
-bool among(const std::vector<Number>& numbers, Number number) {
-    return std::find(numbers.begin(), numbers.end(), number) != numbers.end();
-}
 
 std::string compile_words(const CompileProblem& problem) {
     std::string words;
@@ -35,12 +31,11 @@ std::string compile_words(const CompileProblem& problem) {
 class Check {
   public:
     Check(const Rooms& rooms, const Chapter& chapter, const std::vector<Number>& numbers, bool for_a_grader)
-        : rooms_(rooms), chapter_(chapter), numbers_(numbers), for_a_grader_(for_a_grader) {
-        for (const auto& header : chapter.headers) {
-            auto text = own_text(rooms, chapter, header);
-            files_.push_back({own_path(rooms, chapter, header), text, marked(text.value_or(""))});
-        }
-    }
+        : rooms_(rooms),
+          chapter_(chapter),
+          numbers_(numbers),
+          for_a_grader_(for_a_grader),
+          own_(rooms, chapter) {}
 
     std::vector<Verdict> verdicts() {
         for (const Number number : numbers_) read(number);
@@ -51,49 +46,9 @@ class Check {
     }
 
   private:
-    /// A header as the learner has it.
-    struct File {
-        fs::path path;
-        std::optional<std::string> text;
-        Marked source;
-    };
-
-    const File& file_of(Number number) const {
-        for (std::size_t i = 0; i < files_.size(); ++i)
-            if (chapter_.headers[i].reference.body(number)) return files_[i];
-        throw std::logic_error("no header");
-    }
-    const Body* body_of(Number number) const { return file_of(number).source.body(number); }
-
-    /// The exercises of this chapter that the learner's body of `number` calls.
-    std::vector<Number> called_by(Number number) const {
-        std::vector<Number> called;
-        const Body* body = body_of(number);
-        if (!body) return called;
-        const std::string code = bare_code(body->text);
-        for (const Number other : chapter_.exercises)
-            if (other != number && calls(code, exercise_of(other).function)) called.push_back(other);
-        return called;
-    }
-
-    /// The first line of code outside the exercises that the learner's file has no longer; empty if all are
-    /// there.
-    std::string changed_line(Number number) const {
-        const Marked& reference = chapter_.header_of(number).reference;
-        const std::string own = bare_code(*file_of(number).text);
-        for (std::size_t i = 0; i < reference.lines.size(); ++i) {
-            const std::string code = bare_code(reference.lines[i]);
-            const bool inside =
-                std::any_of(reference.bodies.begin(), reference.bodies.end(),
-                            [&](const Body& body) { return body.begin <= i && i <= body.end; });
-            if (!inside && code.size() > 3 && !contains(own, code)) return code;
-        }
-        return "";
-    }
-
     /// What the text alone tells of an exercise. What it cannot tell is asked.
     void read(Number number) {
-        const File& file = file_of(number);
+        const auto& file = own_.file_of(number);
         const std::string name = named(rooms_, file.path), id = number.text();
         Verdict& verdict = verdicts_[number] = {number, Outcome::not_judged, "not judged", "", {}};
         const Body* body = file.source.body(number);
@@ -140,11 +95,11 @@ class Check {
         while (!asked_.empty()) {
             std::vector<Number> compiled = asked_;  // with those they call, so that the true cause is named
             for (std::size_t i = 0; i < compiled.size(); ++i)
-                for (const Number other : called_by(compiled[i]))
+                for (const Number other : own_.called_by(compiled[i]))
                     if (!among(compiled, other)) compiled.push_back(other);
             std::sort(compiled.begin(), compiled.end());
 
-            const Sheets sheets(rooms_, chapter_, overlay(), for_a_grader_);
+            const Sheets sheets(rooms_, chapter_, own_.overlay(broken_, for_a_grader_), for_a_grader_);
             const Sheet sheet = sheets.compile(compiled, beyond);
             if (sheet.problem && sheet.problem->beyond && beyond) {
                 beyond = false;
@@ -155,55 +110,12 @@ class Check {
         }
     }
 
-    /// Headers that go before the learner's: without what does not compile; for a grader the course's own
-    /// with the learner's bodies in them, and nothing else of theirs. @return their folder, empty if none are
-    /// needed
-    fs::path overlay() const {
-        if (!for_a_grader_ && broken_.empty()) return {};
-        const fs::path folder = rooms_.work / (for_a_grader_ ? "graded" : "overlay");
-        for (std::size_t i = 0; i < files_.size(); ++i) {
-            const Marked& own = files_[i].source;
-            const Marked& reference = chapter_.headers[i].reference;
-            const std::string file = files_[i].path.string();
-            std::map<Number, std::string> bodies;
-            for (const Body& body : reference.bodies) {
-                const Body* answer = own.body(body.number);
-                const bool out = !answer || among(broken_, body.number) ||
-                                 (for_a_grader_ && !not_a_body(answer->text).empty());
-                if (out)
-                    bodies[body.number] = unanswered(body.number) + "\n";
-                else if (for_a_grader_)
-                    bodies[body.number] = "#line " + std::to_string(answer->begin + 2) + " \"" + file +
-                                          "\"\n" + answer->text + "#line 1 \"" + chapter_.headers[i].path +
-                                          "\"\n";
-            }
-            if (for_a_grader_)
-                write_if_changed(folder / chapter_.headers[i].path,
-                                 "#include <nutshell/unanswered.hpp>\n" + with_bodies(reference, bodies));
-            else if (files_[i].text)
-                write_if_changed(folder / chapter_.headers[i].path, with_stand_ins(own, bodies, file));
-        }
-        return folder;
-    }
-
-    /// Whether a sheet read the course's own header although the learner has one: by include_next or the
-    /// like.
-    bool reads_the_reference(const Sheet& sheet, Number number) const {
-        const auto& header = chapter_.header_of(number);
-        const fs::path reference = rooms_.course / "chapters" / chapter_.folder / header.path;
-        std::error_code problem;
-        return file_of(number).text &&
-               std::any_of(sheet.sources.begin(), sheet.sources.end(), [&](const fs::path& source) {
-                   return fs::equivalent(source, reference, problem);
-               });
-    }
-
     /// The verdicts on all that compiled.
     void hear(const Sheets& sheets, const Sheet& sheet, bool beyond) {
         for (const Number number : asked_) {
             Verdict verdict = heard(sheets, sheet, number, beyond);
             if (verdict.outcome == Outcome::wrong || verdict.outcome == Outcome::failed)
-                for (const Number other : called_by(number)) {
+                for (const Number other : own_.called_by(number)) {
                     const Verdict& cause = heard(sheets, sheet, other, beyond);
                     if (cause.outcome == Outcome::passed) continue;
                     verdict.outcome = Outcome::blocked, verdict.name = "blocked by " + other.text();
@@ -215,10 +127,10 @@ class Check {
                     break;
                 }
             if (verdict.outcome == Outcome::wrong || verdict.outcome == Outcome::failed)
-                if (const std::string line = changed_line(number); !line.empty())
+                if (const std::string line = own_.changed_line(number); !line.empty())
                     verdict.notes.push_back(
                         "outside the exercises, a line that the course gave is changed or gone in " +
-                        named(rooms_, file_of(number).path) + ":  " + line +
+                        named(rooms_, own_.file_of(number).path) + ":  " + line +
                         "  Is it that, and not your answer?");
             const auto& notes = verdicts_[number].notes;
             verdict.notes.insert(verdict.notes.begin(), notes.begin(), notes.end());
@@ -234,7 +146,7 @@ class Check {
         const exercises::Record reference = record_of(exercise_of(number).reference, beyond);
         const SheetAnswer answer = sheets.ask(sheet, number);
         Verdict verdict{number, Outcome::failed, "", "", {}};
-        if (reads_the_reference(sheet, number))
+        if (own_.reference_among(sheet.sources, number))
             verdict.name = "the course's own header",
             verdict.words = folded(
                 "The file reads the course's own header, so it would be that which is judged: "
@@ -270,7 +182,7 @@ class Check {
     /// What its text, or asking twice, tells better than its numbers.
     std::optional<Clue> clue_of(Number number, const Sheet& sheet, const SheetAnswer& answer,
                                 const Diagnosis& diagnosis) const {
-        const Body* body = body_of(number);
+        const Body* body = own_.body_of(number);
         if (body)
             if (auto clue = whole_division(body->text)) return clue;
         const auto twice = two_answers(answer);
@@ -278,7 +190,7 @@ class Check {
             if (auto clue = dangling_auto(rooms_, chapter_, number)) return clue;
         if (twice) return twice;
         if (body && diagnosis.origin.empty())
-            if (auto clue = lost_fraction(sheet.warnings, file_of(number).source, *body)) return clue;
+            if (auto clue = lost_fraction(sheet.warnings, own_.file_of(number).source, *body)) return clue;
         return std::nullopt;
     }
 
@@ -300,8 +212,8 @@ class Check {
         }
         for (const auto& warning : sheet.warnings)
             words += folded("The compiler notes: " + warning.where + ": " + warning.words, 2);
-        if (const Body* body = body_of(number))
-            words += "  Where: " + named(rooms_, file_of(number).path) + ":" +
+        if (const Body* body = own_.body_of(number))
+            words += "  Where: " + named(rooms_, own_.file_of(number).path) + ":" +
                      std::to_string(body->begin + 2) + "\n";
         if (!exercise.picture.empty())
             words += folded("A picture says more: ./course run " + std::to_string(chapter_.number) +
@@ -313,7 +225,7 @@ class Check {
     /// Says what does not compile. @return whether the others can be judged without it
     bool leave_out(const CompileProblem& problem) {
         const auto culprit = problem.number;
-        const bool apart = for_a_grader_ && culprit && body_of(*culprit) && !among(broken_, *culprit);
+        const bool apart = for_a_grader_ && culprit && own_.body_of(*culprit) && !among(broken_, *culprit);
         for (const Number number : asked_) {
             Verdict& verdict = verdicts_[number];
             if (!culprit || *culprit == number || asked_.size() == 1) {
@@ -335,7 +247,7 @@ class Check {
     const Chapter& chapter_;
     std::vector<Number> numbers_;
     bool for_a_grader_;
-    std::vector<File> files_;
+    OwnHeaders own_;
     std::vector<Number> asked_, broken_;  ///< still to be asked; left out, for they do not compile
     std::map<Number, Verdict> verdicts_, heard_;
 };
