@@ -1,11 +1,13 @@
 // Signatures of what an answer takes in: an argument that is not used; and what is right of it.
 #include <algorithm>
 #include <set>
+#include <string>
 #include "signatures.hpp"
 #include "text.hpp"
 
 namespace nutshell::judge {
 
+using exercises::Input;
 using exercises::Output;
 
 std::optional<Finding> ignored_argument(const Evidence& evidence) {
@@ -40,6 +42,94 @@ std::optional<Finding> ignored_argument(const Evidence& evidence) {
     return std::nullopt;
 }
 
+namespace {
+
+/// Which components of a vector, a 4-vector or a matrix are wrong, where some are not.
+std::vector<std::string> parts(std::size_t size, const std::set<std::size_t>& wrong) {
+    if (wrong.empty() || wrong.size() >= size) return {};
+    const auto letter = [](std::size_t k) { return std::string(1, "xyzw"[k]); };
+    const auto is = [&](std::initializer_list<std::size_t> all) {
+        return wrong == std::set<std::size_t>(all);
+    };
+    if (size <= 4) {
+        if (wrong.size() == 1) return {"Only its " + letter(*wrong.begin()) + " component is wrong."};
+        if (size == 4 && is({0, 1, 2})) return {"Only its vector part is wrong; w is right."};
+        for (std::size_t k = 0; k < size; ++k)
+            if (wrong.size() + 1 == size && !wrong.count(k))
+                return {"Only its " + letter(k) + " component is right."};
+        return {};
+    }
+    if (size != 9) return {};
+    if (std::all_of(wrong.begin(), wrong.end(), [](std::size_t k) { return k % 4 == 0; }))
+        return {wrong.size() == 3 ? "Only the diagonal is wrong."
+                                  : "Only entries of the diagonal are wrong."};
+    if (std::none_of(wrong.begin(), wrong.end(), [](std::size_t k) { return k % 4 == 0; }) &&
+        wrong.size() == 6)
+        return {"The diagonal is right; all that stands beside it is wrong."};
+    if (wrong.size() > 4) return {};
+    std::string text;
+    for (const std::size_t k : wrong)
+        text += (text.empty() ? "" : ", ") + std::string("(") + std::to_string(k % 3) + ", " +
+                std::to_string(k / 3) + ")";
+    return {"Of the nine entries only " + text + (wrong.size() > 1 ? " are wrong" : " is wrong") +
+            " (row and column counted from 0)."};
+}
+
+}  // namespace
+
+std::optional<Finding> wrong_somewhere(const Evidence& evidence) {
+    const auto& [inputs, outputs] = evidence.reference;
+    std::set<std::size_t> wrong;
+    for (const std::size_t i : evidence.wrong) wrong.insert(outputs[i].input);
+    std::vector<std::string> names;
+    for (const Input& input : inputs)
+        for (const auto& [name, values] : input.values)
+            if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+    for (const auto& name : names) {
+        struct Side {
+            double least = 1e300, largest = -1e300;  ///< of sizes
+            std::size_t count = 0, zeros = 0, below = 0;
+        } bad, good;
+        bool everywhere = true, numbers = true;
+        for (std::size_t i = 0; i < inputs.size(); ++i) {
+            const auto& all = inputs[i].values;
+            const auto found =
+                std::find_if(all.begin(), all.end(), [&](const auto& each) { return each.first == name; });
+            everywhere = everywhere && found != all.end() && !found->second.empty();
+            if (!everywhere) break;
+            const Values& values = found->second;
+            numbers = numbers && values.size() == 1;
+            const double size = distance(values, Values(values.size(), 0.0));
+            Side& side = wrong.count(i) ? bad : good;
+            side.least = std::min(side.least, size), side.largest = std::max(side.largest, size);
+            ++side.count, side.zeros += size == 0, side.below += values[0] < 0;
+        }
+        if (!everywhere || bad.count == 0 || good.count == 0) continue;
+        const std::string also = "Your answer is right for every input but those where ";
+        if (bad.zeros == bad.count && good.zeros == 0)
+            return {
+                {"wrong where " + name + " is zero", {also + name + " is zero: that needs another look."}}};
+        if (numbers && bad.count + good.count > 2) {
+            if (bad.below == bad.count && good.below == 0)
+                return {{"wrong where " + name + " is negative", {also + name + " is negative."}}};
+            if (bad.below == 0 && good.below == good.count)
+                return {
+                    {"wrong where " + name + " is not negative", {also + name + " is zero or positive."}}};
+        }
+        const std::string size = numbers ? name : "the length of " + name;
+        const bool many = bad.count > 1 && good.count > 1;
+        if (bad.largest < good.least && (many || 100 * bad.largest < good.least))
+            return {{"wrong where " + name + " is small",
+                     {also + size + " is small: wrong up to " + digits(bad.largest, "%.4g") +
+                      ", right from " + digits(good.least, "%.4g") + " on."}}};
+        if (bad.least > good.largest && (many || bad.least > 100 * good.largest))
+            return {{"wrong where " + name + " is large",
+                     {also + size + " is large: right up to " + digits(good.largest, "%.4g") +
+                      ", wrong from " + digits(bad.least, "%.4g") + " on."}}};
+    }
+    return std::nullopt;
+}
+
 std::vector<std::string> what_is_right(const Evidence& evidence, bool explained) {
     const auto& [inputs, outputs] = evidence.reference;
     std::set<std::string> wrong_names;
@@ -69,11 +159,7 @@ std::vector<std::string> what_is_right(const Evidence& evidence, bool explained)
     };
     if (!right.empty() && !wrong.empty() && wrong.size() <= 3)
         words.push_back(capital(list(right)) + " right; " + list(wrong) + " not.");
-    if (size == 3 && components.size() == 1)
-        words.push_back(std::string("Only its ") + "xyz"[*components.begin()] + " component is wrong.");
-    if (size == 3 && components.size() == 2)
-        words.push_back(std::string("Only its ") + "xyz"[3 - *components.begin() - *components.rbegin()] +
-                        " component is right.");
+    for (auto& part : parts(size, components)) words.push_back(std::move(part));
     if (!explained && wrong_inputs.size() < inputs.size())
         words.push_back("It is right for " + std::to_string(inputs.size() - wrong_inputs.size()) + " of " +
                         std::to_string(inputs.size()) + " inputs: what is special about " +

@@ -155,7 +155,7 @@ class Check {
         else if (answer.unanswered)
             verdict = unanswered_verdict(number, *answer.unanswered);
         else if (const Conduct conduct = conduct_of(answer, reference); !conduct.name.empty())
-            verdict.name = conduct.name, verdict.words = conduct.words;
+            verdict = misbehaved(number, reference, sheet, answer, beyond, conduct);
         else
             verdict = compared(number, reference, sheet, answer, beyond);
         const std::string printed = quote_printed(answer.ran);
@@ -164,6 +164,18 @@ class Check {
         else if (verdict.outcome == Outcome::wrong || verdict.outcome == Outcome::failed)
             verdict.words += printed;
         return heard_[number] = verdict;
+    }
+
+    /// Crashed, stopped or without end: but what it answered before says more, if that is wrong already.
+    Verdict misbehaved(Number number, exercises::Record reference, const Sheet& sheet,
+                       const SheetAnswer& answer, bool beyond, const Conduct& conduct) const {
+        reference.outputs.resize(std::min(reference.outputs.size(), answer.outputs.size()));
+        if (agrees(reference, answer.outputs))
+            return {number, Outcome::failed, conduct.name, conduct.words, {}};
+        Verdict verdict = compared(number, reference, sheet, answer, beyond);
+        verdict.words +=
+            folded("And later on, it does not come to its end: " + conduct.name + ".", 2) + conduct.words;
+        return verdict;
     }
 
     Verdict unanswered_verdict(Number number, Number missing) const {

@@ -46,7 +46,7 @@ Finding explained(const Evidence& evidence) {
     for (const auto told : {wrong_size, not_finite})
         if (const auto finding = told(evidence)) return *finding;
     for (const auto told : {nothing_changed, wrong_frame, one_factor, exchanged_components, one_offset,
-                            ignored_argument, wrong_order})
+                            ignored_argument, wrong_order, wrong_somewhere})
         if (auto finding = told(evidence)) {
             for (auto& more : what_is_right(evidence, true)) finding->words.push_back(std::move(more));
             return *finding;

@@ -97,8 +97,9 @@ std::string missing_include(const std::vector<std::string>& lines, const Said& e
 
 /// clang tells in a note why a function cannot be called.
 std::string from_notes(const std::string& message, const std::string& notes) {
-    static const std::regex count(R"(requires (\d+) arguments, but (\d+) w)"),
-        type(R"(no known conversion from '(?:const )?([^']*)' to '(?:const )?([^']*)')");
+    static const std::regex count(R"((?:requires|expects) (\d+) arguments?, (?:but )?(\d+) (?:w|provided))"),
+        type(
+            R"(no known conversion (?:for argument \d+ )?from '(?:const )?([^']*)' to '(?:const )?([^']*?)&?')");
     std::smatch found;
     if (contains(message, "no viable overloaded") &&
         (contains(notes, "not marked const") || contains(notes, "conversion from 'const ")))

@@ -15,7 +15,25 @@ namespace {
 using Pair = std::pair<const char*, const char*>;
 
 /// Names of other languages and of mathematics, and what C++ has for them.
-constexpr std::array<Pair, 26> dictionary{{
+constexpr std::array<Pair, 44> dictionary{{
+    {"Math", "std:: for it: std::sqrt, std::round, pi"},
+    {"math", "std:: for it: std::sqrt, std::round, pi"},
+    {"np", "std:: for numbers, and Eigen's members for vectors: v.norm()"},
+    {"glm", "Eigen's members for vectors: v.norm(), a.cross(b)"},
+    {"self", "no self: a function uses its arguments"},
+    {"function", "functions inside a function as [&](double x) { return ...; }"},
+    {"def", "functions inside a function as [&](double x) { return ...; }"},
+    {"lambda", "functions inside a function as [&](double x) { return ...; }"},
+    {"print", "std::cout << x << \"\\n\", with #include <iostream>"},
+    {"vec", "Vector3"},
+    {"float3", "Vector3"},
+    {"vector", "Vector3 for arrows, std::vector<double> for lists"},
+    {"normalize", "a member function: v.normalized()"},
+    {"normalized", "a member function: v.normalized()"},
+    {"null", "no null for values"},
+    {"elseif", "else if"},
+    {"string", "std::string"},
+    {"mod", "std::fmod(x, y), or std::remainder for the nearest"},
     {"ln", "std::log, the natural logarithm"},
     {"lg", "std::log10"},
     {"sqr", "a product: x * x"},
@@ -103,7 +121,12 @@ std::string nearest(const std::string& name, const std::vector<std::string>& all
     return best;
 }
 
-std::string unknown_name(const std::string& name, const Reach& reach) {
+std::string unknown_name(const std::string& name, const Reach& reach, const std::string& line) {
+    static const std::regex first(R"(^(for \()?(\w+) ?= ?[^=])");
+    std::smatch found;
+    if (std::regex_search(line, found, first) && found[2] == name)
+        return "Nothing is called " + name + " yet: the first time, a variable needs its type in front: " +
+               (found[1].matched ? "int " : "const double ") + name + " = ...";
     if (const std::string other = in(dictionary, name); !other.empty())
         return "Nothing is called " + name + " here. C++ has " + other + ".";
     for (const auto& member : reach.members)
@@ -172,60 +195,15 @@ std::optional<std::string> unknown_member(const std::string& message, const Reac
                                : ": look at its struct in the header.");
 }
 
-bool says(const std::string& message, std::initializer_list<const char*> parts) {
-    return std::any_of(parts.begin(), parts.end(), [&](const char* part) { return contains(message, part); });
-}
-
-/// What needs no name to be looked up.
-std::string by_signs(const std::string& message, const std::string& notes, const std::string& line) {
-    if (contains(line, "^") && !contains(message, "expected '"))
-        return "^ is no power in C++ but an operation on bits: write x * x, or std::pow(x, 3).";
-    if (says(message, {"stray", "unexpected character", "non-ASCII", "extended character",
-                       "source file is not valid"}))
-        return "There is a sign in this line that C++ does not know. Pasted from a page, a minus or a "
-               "quotation "
-               "mark may be another character than that on the keyboard: type it anew.";
-    if (says(message, {"base operand of '->'", "is not a pointer; did you mean to use '.'"}))
-        return "It is no pointer: write a point, not ->.";
-    if (says(message, {"invalid use of member function", "invalid use of non-static member function",
-                       "must be called", "the name of a function", "<unresolved overloaded function type>"}))
-        return "The brackets () of a call are missing: d.norm is the function, d.norm() its value.";
-    static const std::regex uncalled(R"(cannot convert '.*::\w+' from type '.*\(.*\).*' to)");
-    if (std::regex_search(message, uncalled))
-        return "The brackets () of a call are missing: d.norm is the function, d.norm() its value.";
-    if (contains(message, "'accumulate' is not a member of 'std'") ||
-        contains(message, "'iota' is not a member of 'std'"))
-        return "Something here needs the line #include <numeric> at the top of the file.";
-    if (says(message, {"operands to '?:' have different types", "incompatible operand types"}))
-        return "The two sides of ? : are expressions of different kinds, although both would give a vector: "
-               "write "
-               "if ... return, or Vector3(...) round each.";
-    if (says(message,
-             {"call to 'max(", "call to 'min(", "call to 'max'", "call to 'min'", "call to 'clamp"}) &&
-        says(notes + message, {"conflicting types", "deduced conflicting", "int"}))
-        return "std::max and std::min want two values of one type. 1 is an int, a double is written 1.0.";
-    if (says(message, {"could not convert", "is not contextually convertible", "cannot convert"}) &&
-        contains(message, "bool") && contains(line, "="))
-        return "= assigns; to compare, write ==.";
-    if (says(message, {"return-statement with no value", "should return a value"}))
-        return "This return gives nothing back: write what the function shall give.";
-    if (contains(message, "'else' without a previous 'if'") ||
-        (says(message, {"expected expression"}) && contains(line, "else")))
-        return "An else without its if: is there a ; right behind the brackets of the if, or a { } missing?";
-    if (contains(line, "|") && !contains(line, "||"))
-        return "| is no sign for a length in C++: the length of a vector is v.norm(), of a number "
-               "std::abs(x).";
-    return "";
-}
-
 }  // namespace
 
 std::string meaning_in_line(const std::string& message, const std::string& notes, const std::string& line,
                             const Reach& reach) {
     if (const std::string meaning = by_signs(message, notes, line); !meaning.empty()) return meaning;
-    if (says(message,
-             {"expected ';'", "expected ',' or ';'", "numeric literal operator", "expected ')' before",
-              "invalid suffix", "invalid digit", "expected '}' before", "expected primary-expression"}))
+    static const std::regex missed(
+        "expected '[;)}]'|expected ',' or ';'|numeric literal operator|invalid (suffix|digit)|"
+        "expected primary-expression|cannot be used as a function");
+    if (std::regex_search(message, missed))
         if (const std::string missing = missing_sign(line); !missing.empty()) return missing;
     if (const auto member = unknown_member(message, reach)) return *member;
     static const std::regex unknown(
@@ -234,7 +212,11 @@ std::string meaning_in_line(const std::string& message, const std::string& notes
     if (std::regex_search(message, found, unknown)) {
         std::string name;
         for (std::size_t i = 1; i < found.size() && name.empty(); ++i) name = found[i].str();
-        if (!contains(message, "of 'std'")) return unknown_name(name, reach);
+        static const std::regex qualified(R"(did you mean '(\w+::\w+)')");
+        std::smatch better;
+        if (std::regex_search(message, better, qualified) && !starts_with(better[1].str(), "std"))
+            return "Nothing is called " + name + " by itself: write " + better[1].str() + ".";
+        if (!contains(message, "of 'std'")) return unknown_name(name, reach, line);
     }
     return "";
 }

@@ -16,4 +16,7 @@ struct Reach {
 std::string meaning_in_line(const std::string& message, const std::string& notes, const std::string& line,
                             const Reach& reach);
 
+/// The same of what needs no name to be looked up.
+std::string by_signs(const std::string& message, const std::string& notes, const std::string& line);
+
 }  // namespace nutshell::judge

@@ -68,6 +68,19 @@ std::string what_of(const std::string& change) {
     if (is("a factor too many")) return "a factor in it, or something it is divided by, is too many";
     if (is("a half lost")) return "a dt in it is not the time that belongs there";
     if (is("brackets missing")) return "brackets are missing: * and / go before + and -";
+    if (is("divisor without"))
+        return "* and / go from left to right: put brackets round all that is divided by";
+    if (contains(change, "in the other order") || is("the two sides"))
+        return "two things in it stand in the wrong order";
+    if (is("half of what") || is("twice what"))
+        return std::string(is("half") ? "a half is missing" : "a half is too many") +
+               " in what is handed to `" + change.substr(change.rfind(' ') + 1) + "`";
+    if (is("the step's start"))
+        return "the time in it is " + change.substr(0, change.find(',')) + "; it must be that of its" +
+               change.substr(change.rfind(' '));
+    if (contains(change, "changed before it is read"))
+        return "`" + change.substr(0, change.find(" changed")) +
+               "` is overwritten here, and what stands below needs it as it was before";
     if (is("abs")) return "an abs() in it takes a sign away that is needed";
     if (is("no normalized") || is("no conjugate") || is("no inverse"))
         return "`." + change.substr(3, change.find(',') - 3) + "()` is too much in it";

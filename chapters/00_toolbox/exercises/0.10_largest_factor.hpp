@@ -61,6 +61,35 @@ struct LargestFactor {
                   [](const Matrix2& A) -> double {
                       const double h = A.trace() / 2, d = A.determinant(), in = h * h - d;
                       return in < 0 ? d : std::abs(h) + std::sqrt(in);
+                  }},
+                 {"the 4 of the whole trace", "classic", "What explodes is called stable.",
+                  "With half the trace, what stands under the root is its square less the "
+                  "determinant. The 4 belongs to the whole trace.",
+                  [](const Matrix2& A) -> double {
+                      const double h = A.trace() / 2, d = A.determinant();
+                      const double in = h * h - 4 * d;
+                      return in < 0 ? std::sqrt(std::abs(d)) : std::abs(h) + std::sqrt(in);
+                  }},
+                 {"the smaller one", "classic", "What explodes is called stable.",
+                  "You take the root away from half the trace: that is the smaller one in size.",
+                  [](const Matrix2& A) -> double {
+                      const double h = A.trace() / 2, d = A.determinant();
+                      const double in = h * h - d;
+                      return in < 0 ? std::sqrt(d) : std::abs(std::abs(h) - std::sqrt(in));
+                  }},
+                 {"the other sign under the root", "classic", "Real factors are taken for pairs.",
+                  "Under the root stands the square of half the trace less the determinant, not "
+                  "the other way round.",
+                  [](const Matrix2& A) -> double {
+                      const double h = A.trace() / 2, d = A.determinant();
+                      const double in = d - h * h;
+                      return in < 0 ? std::sqrt(std::abs(d)) : std::abs(h) + std::sqrt(in);
+                  }},
+                 {"the length of the matrix", "classic", "Stable steps are forbidden.",
+                  "The root of the squares of all entries is a bound and not the eigenvalue.",
+                  [](const Matrix2& A) -> double {
+                      const double h = A.trace() / 2, d = A.determinant();
+                      return A.norm() + 0 * h * d;
                   }}},
             .alternatives = {{"in complex numbers",
                               [](const Matrix2& A) -> double {

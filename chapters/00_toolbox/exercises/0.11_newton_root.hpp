@@ -14,12 +14,13 @@ struct NewtonRoot {
         for (const auto& [c, x, turns] : {std::tuple{2.0, 2.6, 0},
                                           {2.0, 2.6, 1},
                                           {2.0, 2.6, 3},
+                                          {0.7, 2.6, 3},
                                           {2.0, 9.0, 6},
                                           {0.7, 2.6, 1},
                                           {2.0, 3.4, 1}}) {
             const auto f = [c = c](double at) { return at * at * at - c * at - 5; };
             const auto df = [c = c](double at) { return 3 * at * at - c; };
-            paper.input("f = x^3 - c x - 5, c", c, "x", x, "turns", turns);
+            paper.input("f", "x^3 - c x - 5", "c", c, "x", x, "turns", turns);
             const double root = answer(f, df, x, turns);
             paper.output("the place after the turns", root, x);
         }
@@ -62,6 +63,32 @@ struct NewtonRoot {
                   "You make one turn. Repeat it as often as asked, also not at all.",
                   [](const auto& f, const auto& df, double x, int turns) -> double {
                       return turns > 0 ? x - f(x) / df(x) : x;
+                  }},
+                 {"one turn too few", "classic", "It is always one turn behind.",
+                  "Your loop makes one turn less than asked: count from 0 while i < turns.",
+                  [](const auto& f, const auto& df, double x, int turns) -> double {
+                      for (int i = 1; i < turns; ++i) x -= f(x) / df(x);
+                      return x;
+                  }},
+                 {"one turn too many", "classic", "It costs a turn more than paid for.",
+                  "Your loop makes one turn more than asked: count from 0 while i < turns.",
+                  [](const auto& f, const auto& df, double x, int turns) -> double {
+                      for (int i = 0; i <= turns; ++i) x -= f(x) / df(x);
+                      return x;
+                  }},
+                 {"the value of the start kept", "classic", "It walks on past the zero.",
+                  "You use f of the first guess in every turn: ask for it anew at each place.",
+                  [](const auto& f, const auto& df, double x, int turns) -> double {
+                      const double y = f(x);
+                      for (int i = 0; i < turns; ++i) x -= y / df(x);
+                      return x;
+                  }},
+                 {"the way, not the place", "classic", "It jumps to the middle of the world.",
+                  "You return or keep the way f/df itself. It is taken from the place where you "
+                  "are.",
+                  [](const auto& f, const auto& df, double x, int turns) -> double {
+                      for (int i = 0; i < turns; ++i) x = -f(x) / df(x);
+                      return x;
                   }}},
             .alternatives = {{"counting down",
                               [](const auto& f, const auto& df, double x, int turns) -> double {

@@ -56,6 +56,20 @@ struct Direction {
                           "where you are.",
                           [](const Vector3& from, const Vector3& to) -> Vector3 {
                               return to.normalized() + 0 * from;
+                          }},
+                         {"two directions subtracted", "classic",
+                          "Things far apart from the middle hardly move.",
+                          "You normalise both places and subtract. Subtract first: only the way "
+                          "between them has the direction that is asked for.",
+                          [](const Vector3& from, const Vector3& to) -> Vector3 {
+                              return to.normalized() - from.normalized();
+                          }},
+                         {"divided by the goal's distance", "classic",
+                          "The pull depends on where the world's middle is.",
+                          "You divide by the length of the goal's position. Divide by the length "
+                          "of the way itself.",
+                          [](const Vector3& from, const Vector3& to) -> Vector3 {
+                              return (to - from) / to.norm();
                           }}},
             .alternatives = {{"normalized",
                               [](const Vector3& from, const Vector3& to) -> Vector3 {

@@ -53,6 +53,19 @@ struct TriangleArea {
                           "that axis. In space all three count.",
                           [](const Vector3& a, const Vector3& b) -> double {
                               return std::abs(a.cross(b).z()) / 2;
+                          }},
+                         {"the square of a length", "classic",
+                          "Areas grow with the fourth power of the size.",
+                          "You take squaredNorm(): the length itself is norm().",
+                          [](const Vector3& a, const Vector3& b) -> double {
+                              return a.cross(b).squaredNorm() / 2;
+                          }},
+                         {"the components added up", "classic",
+                          "The area depends on how the triangle is turned.",
+                          "You add the components of the cross product. Its length is the root "
+                          "of the sum of their squares.",
+                          [](const Vector3& a, const Vector3& b) -> double {
+                              return std::abs(a.cross(b).sum()) / 2;
                           }}},
             .alternatives = {{"from the angle",
                               [](const Vector3& a, const Vector3& b) -> double {

@@ -17,7 +17,7 @@ struct AreaUnder {
                                               {2.0, 0.3, 2.1},
                                               {-1.2, -0.4, 2.1}}) {
                 const auto cubic = [c = slant](double x) { return x * x * x - c * x + 3; };
-                paper.input("f = x^3 - c x + 3, c", slant, "a", a, "b", b, "strips", strips);
+                paper.input("f", "x^3 - c x + 3", "c", slant, "a", a, "b", b, "strips", strips);
                 const double area = answer(cubic, a, b, strips);
                 paper.output("the area", area, 10.0);
             }
@@ -64,6 +64,56 @@ struct AreaUnder {
                       const double w = (b - a) / strips;
                       double sum = 0;
                       for (int i = 0; i <= strips; ++i) sum += f(a + (i + 0.5) * w) * w;
+                      return sum;
+                  }},
+                 {"both ends of each strip", "classic",
+                  "None to speak of: its error is twice as large, with the other sign.",
+                  "You take the mean of both ends. That is the rule of trapezes, also of order "
+                  "2; the middle was asked for.",
+                  [](const auto& f, double a, double b, int strips) -> double {
+                      const double w = (b - a) / strips;
+                      double sum = 0;
+                      for (int i = 0; i < strips; ++i)
+                          sum += (f(a + i * w) + f(a + (i + 1) * w)) / 2 * w;
+                      return sum;
+                  }},
+                 {"one strip for all", "classic", "Refining changes nothing.",
+                  "You take one strip from a to b, however many are asked for.",
+                  [](const auto& f, double a, double b, int strips) -> double {
+                      return (b - a) * f((a + b) / 2) + 0 * strips;
+                  }},
+                 {"strips that begin at zero", "classic",
+                  "It is right only where the interval begins at zero.",
+                  "Your first strip begins at 0. It begins at a.",
+                  [](const auto& f, double a, double b, int strips) -> double {
+                      const double w = (b - a) / strips;
+                      double sum = 0;
+                      for (int i = 0; i < strips; ++i) sum += f((i + 0.5) * w) * w;
+                      return sum;
+                  }},
+                 {"the mean height", "classic", "The area does not grow with the width.",
+                  "You divide by the number of strips: that is the mean height. Times b - a it "
+                  "is the area.",
+                  [](const auto& f, double a, double b, int strips) -> double {
+                      const double w = (b - a) / strips;
+                      double sum = 0;
+                      for (int i = 0; i < strips; ++i) sum += f(a + (i + 0.5) * w) / strips;
+                      return sum;
+                  }},
+                 {"all strips one too far", "classic", "Everything comes late by a strip.",
+                  "You count strips from 1. Strip 0 is the first, and the last ends at b.",
+                  [](const auto& f, double a, double b, int strips) -> double {
+                      const double w = (b - a) / strips;
+                      double sum = 0;
+                      for (int i = 1; i <= strips; ++i) sum += f(a + (i + 0.5) * w) * w;
+                      return sum;
+                  }},
+                 {"one strip too few", "classic", "The last bit is always missing.",
+                  "Your loop leaves out a strip: count from 0 to strips - 1, so i < strips.",
+                  [](const auto& f, double a, double b, int strips) -> double {
+                      const double w = (b - a) / strips;
+                      double sum = 0;
+                      for (int i = 0; i < strips - 1; ++i) sum += f(a + (i + 0.5) * w) * w;
                       return sum;
                   }}},
             .alternatives = {{"walking along",

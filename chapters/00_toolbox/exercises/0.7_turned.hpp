@@ -47,6 +47,30 @@ struct Turned {
                   "makes the point larger.",
                   [](Complex z, double angle) -> Complex {
                       return z * Complex{1, angle};
+                  }},
+                 {"turned to the angle, not by it", "classic", "Every stick points the same way.",
+                  "You put the point at that angle and forget the angle it had. Turning adds to "
+                  "it: multiply.",
+                  [](Complex z, double angle) -> Complex {
+                      return std::polar(std::abs(z), angle);
+                  }},
+                 {"sine and cosine exchanged", "classic", "Turning by nothing is a mirror.",
+                  "The real part of the factor is the cosine, the imaginary part the sine.",
+                  [](Complex z, double angle) -> Complex {
+                      return z * Complex{std::sin(angle), std::cos(angle)};
+                  }},
+                 {"the new x used for y", "classic", "What turns gets smaller or larger.",
+                  "You have overwritten x when y is worked out. Both need the x from before.",
+                  [](Complex z, double angle) -> Complex {
+                      const double x = z.real() * std::cos(angle) - z.imag() * std::sin(angle);
+                      return {x, x * std::sin(angle) + z.imag() * std::cos(angle)};
+                  }},
+                 {"the angle of the point twice", "classic",
+                  "Points fly round the faster the further they are turned.",
+                  "You use the angle that the point has once more. Multiply by the factor of the "
+                  "turn alone.",
+                  [](Complex z, double angle) -> Complex {
+                      return std::polar(std::abs(z), 2 * std::arg(z) + angle);
                   }}},
             .alternatives = {{"polar",
                               [](Complex z, double angle) -> Complex {

@@ -34,30 +34,57 @@ struct Spiralled {
                       "Multiply z by grown(1, real part, t), then turn it by the imaginary part "
                       "times t."},
             .picture = "turns.svg",
-            .mistakes = {{"it only turns", "classic: no damping", "The spring swings for ever.",
-                          "The real part of lambda is not used: nothing grows or fades.",
-                          [](Complex z, Complex lambda, double t) -> Complex {
-                              return z * std::polar(1.0, lambda.imag() * t);
-                          }},
-                         {"it only fades", "classic", "Nothing swings.",
-                          "The imaginary part of lambda is not used: nothing turns.",
-                          [](Complex z, Complex lambda, double t) -> Complex {
-                              return z * std::exp(lambda.real() * t);
-                          }},
-                         {"the angle without the time", "classic",
-                          "The spring stands still at an angle.",
-                          "The imaginary part is an angle per second. Multiply it by the time.",
-                          [](Complex z, Complex lambda, double t) -> Complex {
-                              return z * std::exp(lambda.real() * t) *
-                                     std::polar(1.0, lambda.imag());
-                          }},
-                         {"one straight step", "classic: Euler's method in one step",
-                          "What should fade flies out.",
-                          "You make one step with the change at the start, z + lambda z t. On "
-                          "the way the change turns and shrinks with z.",
-                          [](Complex z, Complex lambda, double t) -> Complex {
-                              return z + lambda * z * t;
-                          }}},
+            .mistakes =
+                {{"it only turns", "classic: no damping", "The spring swings for ever.",
+                  "The real part of lambda is not used: nothing grows or fades.",
+                  [](Complex z, Complex lambda, double t) -> Complex {
+                      return z * std::polar(1.0, lambda.imag() * t);
+                  }},
+                 {"it only fades", "classic", "Nothing swings.",
+                  "The imaginary part of lambda is not used: nothing turns.",
+                  [](Complex z, Complex lambda, double t) -> Complex {
+                      return z * std::exp(lambda.real() * t);
+                  }},
+                 {"the angle without the time", "classic", "The spring stands still at an angle.",
+                  "The imaginary part is an angle per second. Multiply it by the time.",
+                  [](Complex z, Complex lambda, double t) -> Complex {
+                      return z * std::exp(lambda.real() * t) * std::polar(1.0, lambda.imag());
+                  }},
+                 {"one straight step", "classic: Euler's method in one step",
+                  "What should fade flies out.",
+                  "You make one step with the change at the start, z + lambda z t. On "
+                  "the way the change turns and shrinks with z.",
+                  [](Complex z, Complex lambda, double t) -> Complex {
+                      return z + lambda * z * t;
+                  }},
+                 {"the growth without the time", "classic", "Everything has faded at once.",
+                  "The real part is a rate per second. Multiply it by the time.",
+                  [](Complex z, Complex lambda, double t) -> Complex {
+                      return z * std::exp(lambda.real()) * std::polar(1.0, lambda.imag() * t);
+                  }},
+                 {"turns the other way", "classic", "The spring runs backwards.",
+                  "The imaginary part turns counter-clockwise where it is positive.",
+                  [](Complex z, Complex lambda, double t) -> Complex {
+                      return z * std::exp(lambda.real() * t) *
+                             std::polar(1.0, -lambda.imag() * t);
+                  }},
+                 {"the start forgotten", "classic", "Every spring begins at 1.",
+                  "You return the factor alone: z is multiplied by it.",
+                  [](Complex z, Complex lambda, double t) -> Complex {
+                      return std::exp(lambda * t) + 0.0 * z;
+                  }},
+                 {"the size of lambda for its real part", "classic", "What should fade explodes.",
+                  "It grows with the real part of lambda alone, not with the size of lambda.",
+                  [](Complex z, Complex lambda, double t) -> Complex {
+                      return z * std::exp(std::abs(lambda) * t) *
+                             std::polar(1.0, lambda.imag() * t);
+                  }},
+                 {"the sign of the growth", "classic", "What should fade explodes.",
+                  "The real part of lambda enters with its own sign: negative fades.",
+                  [](Complex z, Complex lambda, double t) -> Complex {
+                      return z * std::exp(-lambda.real() * t) *
+                             std::polar(1.0, lambda.imag() * t);
+                  }}},
             .alternatives = {{"the complex exponential",
                               [](Complex z, Complex lambda, double t) -> Complex {
                                   return z * std::exp(lambda * t);

@@ -45,6 +45,22 @@ struct Mapped {
                           "The first column belongs to v.x, the second to v.y.",
                           [](const Matrix2& A, const Vector2& v) -> Vector2 {
                               return v.y() * A.col(0) + v.x() * A.col(1);
+                          }},
+                         {"the new x used for y", "classic",
+                          "The step is right only where the matrix leaves x alone.",
+                          "The second line reads an x that the first has overwritten already. "
+                          "Both lines need the old x and y.",
+                          [](const Matrix2& A, const Vector2& v) -> Vector2 {
+                              const double x = A(0, 0) * v.x() + A(0, 1) * v.y();
+                              return {x, A(1, 0) * x + A(1, 1) * v.y()};
+                          }},
+                         {"minus where plus belongs", "classic",
+                          "Everything is mirrored somehow.",
+                          "You subtract the second products: that is how a determinant is made. "
+                          "Here they are added.",
+                          [](const Matrix2& A, const Vector2& v) -> Vector2 {
+                              return {A(0, 0) * v.x() - A(0, 1) * v.y(),
+                                      A(1, 0) * v.x() - A(1, 1) * v.y()};
                           }}},
             .alternatives = {{"Eigen's product",
                               [](const Matrix2& A, const Vector2& v) -> Vector2 {

@@ -53,7 +53,18 @@ struct VelocityBetween {
                           "You divide by 2 dt. That is right for positions two steps apart; "
                           "these are one step apart.",
                           [](const Vector3& position, const Vector3& next_position, double dt)
-                              -> Vector3 { return (next_position - position) / (2 * dt); }}},
+                              -> Vector3 { return (next_position - position) / (2 * dt); }},
+                         {"the sum, not the difference", "classic", "Things at rest fly away.",
+                          "You add the two positions. The way is their difference.",
+                          [](const Vector3& position, const Vector3& next_position,
+                             double dt) -> Vector3 { return (position + next_position) / dt; }},
+                         {"the new place only", "classic",
+                          "Things at rest far away fly the fastest.",
+                          "You divide the new position by dt. The way begins at the old one: "
+                          "take it off.",
+                          [](const Vector3&, const Vector3& next_position, double dt) -> Vector3 {
+                              return next_position / dt;
+                          }}},
             .alternatives = {{"each position times the rate",
                               [](const Vector3& position, const Vector3& next_position,
                                  double dt) -> Vector3 {

@@ -89,6 +89,36 @@ struct Euler {
                   [](auto state, const auto&, double, double dt) {
                       drift(state, dt);
                       return state;
+                  }},
+                 {"drifts with the mean velocity", "classic",
+                  "A thrown ball is exact, and the planet spirals out half as fast.",
+                  "You drift with the mean of old and new velocity. That is exact for a constant "
+                  "force; Euler's drift uses the velocity of the start.",
+                  [](auto state, const auto& forces, double t, double dt) {
+                      const auto push = forces(state, t);
+                      kick(state, push, dt / 2);
+                      drift(state, dt);
+                      kick(state, push, dt / 2);
+                      return state;
+                  }},
+                 {"the force of the new place and time", "classic",
+                  "The orbit stays closed but sits beside the true one.",
+                  "You ask for the force after the drift, at t + dt. Euler takes place, "
+                  "velocity, force and time all from the start: ask first, and keep it.",
+                  [](auto state, const auto& forces, double t, double dt) {
+                      drift(state, dt);
+                      kick(state, forces(state, t + dt), dt);
+                      return state;
+                  }},
+                 {"two steps in one", "classic", "Everything goes twice as far.",
+                  "drift and kick stand in it twice: the step lasts 2 dt.",
+                  [](auto state, const auto& forces, double t, double dt) {
+                      for (int i = 0; i < 2; ++i) {
+                          const auto push = forces(state, t);
+                          drift(state, dt);
+                          kick(state, push, dt);
+                      }
+                      return state;
                   }}},
             .alternatives = {{"from two copies",
                               []<class State, class Forces>(State state, const Forces& forces,

@@ -83,6 +83,38 @@ struct SemiImplicitEuler {
                       kick(state, forces(state, t + dt), dt);
                       drift(state, dt);
                       return state;
+                  }},
+                 {"drifts first, with the force of the end", "classic",
+                  "The orbit stays closed, but sits on the other side of the true one.",
+                  "You drift first and kick with the force of the new place at t + dt. Here the "
+                  "kick comes first, with the force of the start.",
+                  [](auto state, const auto& forces, double t, double dt) {
+                      drift(state, dt);
+                      kick(state, forces(state, t + dt), dt);
+                      return state;
+                  }},
+                 {"no drift", "classic",
+                  "Nothing moves from its place, though its velocity grows.",
+                  "The velocity changes but the position does not: there is no drift, or it "
+                  "moves a copy that is not returned.",
+                  [](auto state, const auto& forces, double t, double dt) {
+                      kick(state, forces(state, t), dt);
+                      return state;
+                  }},
+                 {"no kick", "classic", "Everything flies straight on.",
+                  "The position changes but the velocity does not: there is no kick, or it "
+                  "changes a copy that is not returned.",
+                  [](auto state, const auto&, double, double dt) {
+                      drift(state, dt);
+                      return state;
+                  }},
+                 {"dt twice", "classic", "Gravity fades with the frame rate.",
+                  "dt enters the kick twice. kick multiplies by dt itself: hand it the force "
+                  "alone.",
+                  [](auto state, const auto& forces, double t, double dt) {
+                      kick(state, forces(state, t) * dt, dt);
+                      drift(state, dt);
+                      return state;
                   }}},
             .alternatives = {{"in two halves",
                               [](auto state, const auto& forces, double t, double dt) {

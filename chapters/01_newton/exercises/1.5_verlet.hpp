@@ -113,6 +113,44 @@ struct Verlet {
                       kick(state, forces(state, t), dt);
                       drift(state, dt);
                       return state;
+                  }},
+                 {"both forces of the end", "classic",
+                  "Nearly right: half of the kick comes a step too early.",
+                  "The first half kick asks for the force at t + dt. It happens at the start: t.",
+                  [](auto state, const auto& forces, double t, double dt) {
+                      kick(state, forces(state, t + dt), dt / 2);
+                      drift(state, dt);
+                      kick(state, forces(state, t + dt), dt / 2);
+                      return state;
+                  }},
+                 {"the second kick at the middle", "classic",
+                  "Forces that change with time act a little early.",
+                  "The second half kick asks for the force at t + dt/2. It stands at the end of "
+                  "the step: t + dt.",
+                  [](auto state, const auto& forces, double t, double dt) {
+                      kick(state, forces(state, t), dt / 2);
+                      drift(state, dt);
+                      kick(state, forces(state, t + dt / 2), dt / 2);
+                      return state;
+                  }},
+                 {"the times exchanged", "classic",
+                  "Forces that change with time act at the wrong end.",
+                  "The first half kick belongs to t, the second to t + dt.",
+                  [](auto state, const auto& forces, double t, double dt) {
+                      kick(state, forces(state, t + dt), dt / 2);
+                      drift(state, dt);
+                      kick(state, forces(state, t), dt / 2);
+                      return state;
+                  }},
+                 {"the force of the start alone, drifted first", "classic",
+                  "The planet spirals out.",
+                  "All of the force comes from the start of the step. The second half kick asks "
+                  "again, at the new place.",
+                  [](auto state, const auto& forces, double t, double dt) {
+                      const auto push = forces(state, t);
+                      drift(state, dt);
+                      kick(state, push, dt);
+                      return state;
                   }}},
             .alternatives = {{"the kicks cut up otherwise",
                               [](auto state, const auto& forces, double t, double dt) {

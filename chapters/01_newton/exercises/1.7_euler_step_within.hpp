@@ -130,6 +130,13 @@ struct EulerStepWithin {
                   [](double tolerance, const Vector3& acceleration, double duration) -> double {
                       return duration / std::max(1.0, std::ceil(acceleration.y() * duration *
                                                                 duration / (2 * tolerance)));
+                  }},
+                 {"cut at the duration only", "classic",
+                  "The last step jumps beyond the end, or stops short of it.",
+                  "You take the duration where the step is longer. Also below it the step must "
+                  "divide the duration into whole steps: round their number up.",
+                  [](double tolerance, const Vector3& acceleration, double duration) -> double {
+                      return std::min(duration, 2 * tolerance / (acceleration.norm() * duration));
                   }}},
             .alternatives = {{"by trying",
                               [](double tolerance, const Vector3& acceleration,

@@ -175,6 +175,37 @@ struct StepsDue {
                       const double due = std::floor(frame_time / clock.step);
                       clock.owed += frame_time - due * clock.step;
                       return at_most(clock, due);
+                  }},
+                 {"the earlier rest overwritten", "classic",
+                  "The game runs a little slower than the clock.",
+                  "You put this frame's time into clock.owed in place of what was there. Add it: "
+                  "+=.",
+                  [](GameClock& clock, double frame_time) -> int {
+                      clock.owed = frame_time;
+                      const double due = std::floor(clock.owed / clock.step);
+                      clock.owed -= due * clock.step;
+                      return at_most(clock, due);
+                  }},
+                 {"a step only when more than one is owed", "classic",
+                  "At a frame rate that is a multiple of the step's, every other step comes "
+                  "late.",
+                  "You compare by > where >= belongs: a step that is just due is due.",
+                  [](GameClock& clock, double frame_time) -> int {
+                      clock.owed += frame_time;
+                      const double due = std::max(0.0, std::ceil(clock.owed / clock.step) - 1);
+                      clock.owed -= due * clock.step;
+                      return at_most(clock, due);
+                  }},
+                 {"the limit on the time owed", "classic",
+                  "After a long frame the drawing jerks.",
+                  "You cut clock.owed at most_steps steps, and with it the fraction of a step. "
+                  "The fraction stays.",
+                  [](GameClock& clock, double frame_time) -> int {
+                      clock.owed =
+                          std::min(clock.owed + frame_time, clock.most_steps * clock.step);
+                      const double due = std::floor(clock.owed / clock.step);
+                      clock.owed -= due * clock.step;
+                      return at_most(clock, due);
                   }}},
             .alternatives = {{"one by one up to the limit",
                               [](GameClock& clock, double frame_time) -> int {

@@ -82,6 +82,22 @@ struct TotalForce {
                       Vector3 sum = Vector3::Zero();
                       for (std::size_t i = 0; i + 1 < forces.size(); ++i) sum += forces[i];
                       return sum;
+                  }},
+                 {"the first force twice", "classic", "Gravity counts double.",
+                  "You begin with the first force and then add it once more in the loop. Begin "
+                  "with zero.",
+                  [](std::span<const Vector3> forces) -> Vector3 {
+                      Vector3 sum = forces.empty() ? Vector3(Vector3::Zero()) : forces[0];
+                      for (const Vector3& force : forces) sum += force;
+                      return sum;
+                  }},
+                 {"all but the first taken away", "classic",
+                  "Whatever acts second acts backwards.",
+                  "You subtract. Forces add up, with the signs they bring.",
+                  [](std::span<const Vector3> forces) -> Vector3 {
+                      Vector3 sum = Vector3::Zero();
+                      for (const Vector3& force : forces) sum -= force;
+                      return forces.empty() ? sum : Vector3(sum + 2 * forces[0]);
                   }}},
             .alternatives = {{"component by component, from the back",
                               [](std::span<const Vector3> forces) -> Vector3 {

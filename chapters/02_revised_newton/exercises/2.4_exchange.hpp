@@ -80,6 +80,33 @@ struct ExchangeMass {
                   [](Particle& body, double dm, const Vector3& w) {
                       body.momentum -= dm * (velocity(body) + w);
                       body.mass += dm;
+                  }},
+                 {"the mass stays", "classic", "A rocket gets no lighter.",
+                  "The momentum changes and the mass does not: add dm to it.",
+                  [](Particle& body, double dm, const Vector3& w) {
+                      body.momentum += dm * (velocity(body) + w);
+                  }},
+                 {"the mass lost where it is gained", "classic", "A rain drop shrinks.",
+                  "You take dm off the mass. dm is what the body gains: negative where it loses.",
+                  [](Particle& body, double dm, const Vector3& w) {
+                      body.momentum += dm * (velocity(body) + w);
+                      body.mass -= dm;
+                  }},
+                 {"w taken off the velocity", "classic",
+                  "The rocket is pulled into its own exhaust.",
+                  "You subtract w. The parcel's velocity in the world is the body's plus w.",
+                  [](Particle& body, double dm, const Vector3& w) {
+                      body.momentum += dm * (velocity(body) - w);
+                      body.mass += dm;
+                  }},
+                 {"the momentum scaled with the mass", "classic",
+                  "Only things that are thrown forwards push.",
+                  "You keep the velocity and scale the momentum by the mass. The exchanged mass "
+                  "carries momentum of its own, dm (v + w).",
+                  [](Particle& body, double dm, const Vector3& w) {
+                      body.momentum += dm * w;
+                      body.momentum *= (body.mass + dm) / body.mass;
+                      body.mass += dm;
                   }}},
             .alternatives = {{"by the velocity after",
                               [](Particle& body, double dm, const Vector3& w) {

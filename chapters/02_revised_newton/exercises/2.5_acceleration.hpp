@@ -70,7 +70,15 @@ struct AccelerationWithFlow {
                   "the mass that goes per second: times dm/dt.",
                   [](const Vector3& force, double mass, const Vector3& w, double) -> Vector3 {
                       return (force + w) / mass;
-                  }}},
+                  }},
+                 {"the rate without its sign", "classic", "Braking with the engine speeds up.",
+                  "You take the size of mass_rate. Its sign says whether mass comes or goes.",
+                  [](const Vector3& force, double mass, const Vector3& w, double mass_rate)
+                      -> Vector3 { return (force + std::abs(mass_rate) * w) / mass; }},
+                 {"the thrust divided by the rate", "classic", "A weak engine pushes the most.",
+                  "The thrust is w times mass_rate.",
+                  [](const Vector3& force, double mass, const Vector3& w,
+                     double mass_rate) -> Vector3 { return (force + w / mass_rate) / mass; }}},
             .alternatives = {{"each part over the mass",
                               [](const Vector3& force, double mass, const Vector3& w,
                                  double mass_rate) -> Vector3 {

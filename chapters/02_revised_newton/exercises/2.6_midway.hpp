@@ -76,6 +76,24 @@ struct Midway {
                   "the exchange, not the one before.",
                   [](double mass, double dm, const Vector3& w) -> Vector3 {
                       return w * (mass / (mass + dm / 2));
+                  }},
+                 {"half the change made with w itself", "classic",
+                  "Nearly right for small parcels.",
+                  "You add half of the change that w would make. But the change is made by the "
+                  "velocity that is sought: it stands on both sides, solve for it.",
+                  [](double mass, double dm, const Vector3& w) -> Vector3 {
+                      return w + w * (dm / (2 * (mass + dm)));
+                  }},
+                 {"half of the parcel's share", "classic", "Nearly right for small parcels.",
+                  "You take half of dm over the mass the other way. Write down the velocity of "
+                  "the body half way, and solve for the one relative to the body before.",
+                  [](double mass, double dm, const Vector3& w) -> Vector3 {
+                      return w * (1 - dm / (2 * mass));
+                  }},
+                 {"half of w", "classic", "A rocket gets half of its speed.",
+                  "Half way is about the body's change of velocity, not about half of w.",
+                  [](double mass, double dm, const Vector3& w) -> Vector3 {
+                      return w / 2 + 0 * (mass + dm) * w;
                   }}},
             .alternatives = {{"by the change of velocity",
                               [](double mass, double dm, const Vector3& w) -> Vector3 {

@@ -70,7 +70,19 @@ struct RocketGain {
                   "The smallest rocket reaches the stars.",
                   "The exponential undoes the logarithm. To get the gain from the masses take "
                   "the logarithm.",
-                  [](double u, double m0, double m) -> double { return u * std::exp(m0 / m); }}},
+                  [](double u, double m0, double m) -> double { return u * std::exp(m0 / m); }},
+                 {"no logarithm", "classic", "The rocket is far too fast.",
+                  "You multiply by the ratio of the masses. The stream adds up dm/m: the "
+                  "logarithm of that ratio.",
+                  [](double u, double m0, double m) -> double { return u * m0 / m; }},
+                 {"the logarithm of one plus the ratio", "classic",
+                  "A rocket without propellant gains speed.",
+                  "log1p(x) is the logarithm of 1 + x. Use std::log.",
+                  [](double u, double m0, double m) -> double { return u * std::log1p(m0 / m); }},
+                 {"the logarithm to base two", "classic", "The rocket is 1.4 times too fast.",
+                  "You use the logarithm to base two. The integral of dm/m is the natural one, "
+                  "std::log.",
+                  [](double u, double m0, double m) -> double { return u * std::log2(m0 / m); }}},
             .alternatives = {{"two logarithms",
                               [](double u, double m0, double m) -> double {
                                   return u * std::log(m0) - u * std::log(m);

@@ -72,6 +72,22 @@ struct PropellantFor {
                   "Exercise 2.7 has the logarithm. To undo it you need the exponential.",
                   [](double gain, double u, double m0) -> double {
                       return m0 * std::log(gain / u);
+                  }},
+                 {"m0 outside the product", "classic", "Small rockets need negative propellant.",
+                  "You subtract the exponential from m0. The mass that is left is m0 times the "
+                  "exponential.",
+                  [](double gain, double u, double m0) -> double {
+                      return m0 - std::exp(-gain / u);
+                  }},
+                 {"powers of ten", "classic", "The planner asks for twice what is needed.",
+                  "You use powers of ten. The gain is a natural logarithm, its inverse std::exp.",
+                  [](double gain, double u, double m0) -> double {
+                      return m0 * (1 - std::pow(10, -gain / u));
+                  }},
+                 {"powers of two", "classic", "The planner asks for too little.",
+                  "You use powers of two. The gain is a natural logarithm, its inverse std::exp.",
+                  [](double gain, double u, double m0) -> double {
+                      return m0 * (1 - std::exp2(-gain / u));
                   }}},
             .alternatives = {{"expm1",
                               [](double gain, double u, double m0) -> double {

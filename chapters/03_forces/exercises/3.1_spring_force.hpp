@@ -110,6 +110,51 @@ struct SpringForce {
                       const Vector3 d = end - other_end;
                       if (d.norm() == 0) return Vector3::Zero();
                       return -spring.stiffness * (d - Vector3::Constant(spring.rest_length));
+                  }},
+                 {"divided by the rest length", "classic",
+                  "Springs get stiffer the longer they are.",
+                  "You divide the difference of the ends by the rest length. Its own length "
+                  "makes it a direction.",
+                  [](const Spring& spring, const Vector3& end,
+                     const Vector3& other_end) -> Vector3 {
+                      const Vector3 d = end - other_end;
+                      const double l = d.norm();
+                      if (l == 0) return Vector3::Zero();
+                      return spring.stiffness * (spring.rest_length - l) / spring.rest_length * d;
+                  }},
+                 {"the stretch relative to the rest length", "classic",
+                  "Short springs are too strong.",
+                  "The stiffness is in N/m: it wants the stretch in metres, not as a part of the "
+                  "rest length.",
+                  [](const Spring& spring, const Vector3& end,
+                     const Vector3& other_end) -> Vector3 {
+                      const Vector3 d = end - other_end;
+                      const double l = d.norm();
+                      if (l == 0) return Vector3::Zero();
+                      return spring.stiffness * (spring.rest_length - l) / spring.rest_length *
+                             d / l;
+                  }},
+                 {"the square of the stretch", "classic", "Springs break loose.",
+                  "You square the stretch: that belongs to the energy. The force grows with the "
+                  "stretch itself.",
+                  [](const Spring& spring, const Vector3& end,
+                     const Vector3& other_end) -> Vector3 {
+                      const Vector3 d = end - other_end;
+                      const double l = d.norm();
+                      if (l == 0) return Vector3::Zero();
+                      return -spring.stiffness * (l - spring.rest_length) *
+                             (l - spring.rest_length) * d / l;
+                  }},
+                 {"at rest where the ends meet only", "classic",
+                  "Springs pull as if they had no rest length.",
+                  "You add where you must subtract: the stretch is the length less the rest "
+                  "length.",
+                  [](const Spring& spring, const Vector3& end,
+                     const Vector3& other_end) -> Vector3 {
+                      const Vector3 d = end - other_end;
+                      const double l = d.norm();
+                      if (l == 0) return Vector3::Zero();
+                      return -spring.stiffness * (l + spring.rest_length) * d / l;
                   }}},
             .alternatives =
                 {{"by a unit vector",

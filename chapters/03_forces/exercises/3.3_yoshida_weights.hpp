@@ -66,6 +66,24 @@ struct YoshidaWeights {
                   []() -> std::array<double, 3> {
                       const double w1 = 1 / (2 - std::pow(2.0, 0.2));
                       return {w1, 1 - 2 * w1, w1};
+                  }},
+                 {"the middle one from one weight", "classic", "The steps do not fill the step.",
+                  "You take the first weight off once. There are two of it.",
+                  []() -> std::array<double, 3> {
+                      const double w1 = 1 / (2 - std::cbrt(2.0));
+                      return {w1, 1 - w1, w1};
+                  }},
+                 {"the negative one outside", "classic", "The method drops to second order.",
+                  "The negative weight stands in the middle, and only once.",
+                  []() -> std::array<double, 3> {
+                      const double w1 = 1 / (2 - std::cbrt(2.0)), w0 = 1 - 2 * w1;
+                      return {w0, w1, w0};
+                  }},
+                 {"the middle one positive", "classic", "The method drops to first order.",
+                  "The middle weight is negative: with a plus the three add up to more than one.",
+                  []() -> std::array<double, 3> {
+                      const double r = std::cbrt(2.0), w1 = 1 / (2 - r);
+                      return {w1, r * w1, w1};
                   }}},
             .alternatives = {{"by Newton's method",
                               []() -> std::array<double, 3> {

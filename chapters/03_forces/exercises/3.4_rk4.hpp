@@ -144,6 +144,58 @@ struct RungeKutta4 {
                                              double dt) -> Flat {
                       const Flat k1 = f(y, t), k2 = f(Flat(y + dt * k1), t + dt);
                       return y + dt / 2 * (k1 + k2);
+                  }},
+                 {"whole steps to the middle", "classic", "The order drops to one.",
+                  "The looks in the middle are half a step away: dt/2 times the rate.",
+                  []<class Flat, class Rate>(const Flat& y, const Rate& f, double t,
+                                             double dt) -> Flat {
+                      const Flat k1 = f(y, t);
+                      const Flat k2 = f(Flat(y + dt * k1), t + dt / 2),
+                                 k3 = f(Flat(y + dt * k2), t + dt / 2),
+                                 k4 = f(Flat(y + dt * k3), t + dt);
+                      return y + dt / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
+                  }},
+                 {"the fourth look from the second", "classic", "The order drops to three.",
+                  "k4 is found by going along k3, the better of the two in the middle.",
+                  []<class Flat, class Rate>(const Flat& y, const Rate& f, double t,
+                                             double dt) -> Flat {
+                      const Flat k1 = f(y, t);
+                      const Flat k2 = f(Flat(y + dt / 2 * k1), t + dt / 2),
+                                 k3 = f(Flat(y + dt / 2 * k2), t + dt / 2),
+                                 k4 = f(Flat(y + dt * k2), t + dt);
+                      return y + dt / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
+                  }},
+                 {"the outer rates twice", "classic", "The order drops to two.",
+                  "The two rates in the middle count twice, not those of the ends.",
+                  []<class Flat, class Rate>(const Flat& y, const Rate& f, double t,
+                                             double dt) -> Flat {
+                      const Flat k1 = f(y, t);
+                      const Flat k2 = f(Flat(y + dt / 2 * k1), t + dt / 2),
+                                 k3 = f(Flat(y + dt / 2 * k2), t + dt / 2),
+                                 k4 = f(Flat(y + dt * k3), t + dt);
+                      return y + dt / 6 * (2 * k1 + k2 + k3 + 2 * k4);
+                  }},
+                 {"the fourth look at the middle's time", "classic",
+                  "Forces that change with time act late.",
+                  "k4 stands at the end of the step: its time is t + dt.",
+                  []<class Flat, class Rate>(const Flat& y, const Rate& f, double t,
+                                             double dt) -> Flat {
+                      const Flat k1 = f(y, t);
+                      const Flat k2 = f(Flat(y + dt / 2 * k1), t + dt / 2),
+                                 k3 = f(Flat(y + dt / 2 * k2), t + dt / 2),
+                                 k4 = f(Flat(y + dt * k3), t + dt / 2);
+                      return y + dt / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
+                  }},
+                 {"each look goes on from the one before", "classic",
+                  "The looks walk beyond the step.",
+                  "Each look starts from y, not from the place of the look before.",
+                  []<class Flat, class Rate>(const Flat& y, const Rate& f, double t,
+                                             double dt) -> Flat {
+                      const Flat k1 = f(y, t);
+                      const Flat y2 = y + dt / 2 * k1, k2 = f(y2, t + dt / 2),
+                                 y3 = y2 + dt / 2 * k2, k3 = f(y3, t + dt / 2), y4 = y3 + dt * k3,
+                                 k4 = f(y4, t + dt);
+                      return y + dt / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
                   }}},
             .alternatives = {{"by increments",
                               []<class Flat, class Rate>(const Flat& y, const Rate& f, double t,

@@ -170,6 +170,27 @@ struct ExponentialVerletStep {
                       state.velocity *= half_decay;
                       kick(state, force_at_rest(state, forces, t + dt), dt / 2);
                       return state;
+                  }},
+                 {"the second force at the start's time", "classic",
+                  "Forces that change with time act late.",
+                  "The second half kick stands at the end of the step: its time is t + dt.",
+                  [](auto state, const auto& forces, double t, double dt) {
+                      decay(state, forces.drag, dt / 2);
+                      kick(state, force_at_rest(state, forces, t), dt / 2);
+                      drift(state, dt);
+                      kick(state, force_at_rest(state, forces, t), dt / 2);
+                      decay(state, forces.drag, dt / 2);
+                      return state;
+                  }},
+                 {"only half of the drag", "classic",
+                  "The drag is half as strong as it should be.",
+                  "There is one half-decay. One stands at the start and one at the end.",
+                  [](auto state, const auto& forces, double t, double dt) {
+                      decay(state, forces.drag, dt / 2);
+                      kick(state, force_at_rest(state, forces, t), dt / 2);
+                      drift(state, dt);
+                      kick(state, force_at_rest(state, forces, t + dt), dt / 2);
+                      return state;
                   }}},
             .alternatives = {{"Verlet of the force at rest",
                               []<class State, class Forces>(State state, const Forces& forces,

@@ -5,6 +5,16 @@
 
 namespace nutshell::exercises {
 
+#ifndef NUTSHELL_SHEET
+/// one * 1 + along * n n^T + across * [n x], which is the rotation for cos, 1 - cos and sin.
+inline Matrix3 of_parts(const Vector3& axis, double one, double along, double across) {
+    const Vector3 n = axis.normalized();
+    Matrix3 k;
+    k << 0, -n.z(), n.y(), n.z(), 0, -n.x(), -n.y(), n.x(), 0;
+    return one * Matrix3::Identity() + along * n * n.transpose() + across * k;
+}
+#endif
+
 struct RotationAbout {
     static constexpr const char *id = "4.2", *function = "rotation_about";
     static constexpr auto subject = NUTSHELL_CALL(rotation_about);
@@ -99,6 +109,44 @@ struct RotationAbout {
                   "divide it by its length first.",
                   [](const Vector3& axis, double angle) -> Matrix3 {
                       return rodrigues(axis, std::cos(angle), std::sin(angle));
+                  }},
+                 {"the part along the axis counted whole", "classic",
+                  "Things are stretched along the axis.",
+                  "What stands along the axis enters with n n^T, and 1 - cos of the angle "
+                  "belongs before it.",
+                  [](const Vector3& axis, double angle) -> Matrix3 {
+                      return of_parts(axis, std::cos(angle), 1, std::sin(angle));
+                  }},
+                 {"no part along the axis", "classic", "Things are squeezed flat along the axis.",
+                  "The points of the axis must stay: (1 - cos) n n^T is missing.",
+                  [](const Vector3& axis, double angle) -> Matrix3 {
+                      return of_parts(axis, std::cos(angle), 0, std::sin(angle));
+                  }},
+                 {"the unturned point counted whole", "classic", "Things grow when they turn.",
+                  "The identity stands with the cosine, if n n^T stands with 1 - cos.",
+                  [](const Vector3& axis, double angle) -> Matrix3 {
+                      return of_parts(axis, 1, 1 - std::cos(angle), std::sin(angle));
+                  }},
+                 {"the square of the cross product's matrix without its factor", "classic",
+                  "Things grow when they turn.",
+                  "1 - cos of the angle belongs before the second power.",
+                  [](const Vector3& axis, double angle) -> Matrix3 {
+                      return of_parts(axis, 0, 1, std::sin(angle));
+                  }},
+                 {"cosine for one less cosine", "classic", "Along the axis things shrink.",
+                  "Before n n^T stands 1 - cos, not cos.",
+                  [](const Vector3& axis, double angle) -> Matrix3 {
+                      return of_parts(axis, std::cos(angle), std::cos(angle), std::sin(angle));
+                  }},
+                 {"the first order only", "classic", "Things grow when they turn.",
+                  "1 + sin times the cross product's matrix is right for small angles only.",
+                  [](const Vector3& axis, double angle) -> Matrix3 {
+                      return of_parts(axis, 1, 0, std::sin(angle));
+                  }},
+                 {"an angle in degrees", "classic", "Everything turns wildly.",
+                  "You treat the angle as degrees. It comes in radians.",
+                  [](const Vector3& axis, double angle) -> Matrix3 {
+                      return Matrix3(Eigen::AngleAxisd(angle * pi / 180, axis.normalized()));
                   }}},
             .alternatives = {{"Rodrigues' formula",
                               [](const Vector3& axis, double angle) -> Matrix3 {

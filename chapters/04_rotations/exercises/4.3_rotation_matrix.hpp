@@ -82,6 +82,60 @@ struct RotationMatrix {
                   "identity.",
                   [](const Quaternion& q) -> Matrix3 {
                       return q.toRotationMatrix() + Matrix3::Identity();
+                  }},
+                 {"the diagonal in another order", "classic",
+                  "What turns about one axis is stretched along another.",
+                  "The entries beside the diagonal are right. On it the squares are mixed up: "
+                  "each axis has its own, or those of the two others.",
+                  [](const Quaternion& q) -> Matrix3 {
+                      const double x = q.x(), y = q.y(), z = q.z(), w = q.w();
+                      Matrix3 r;
+                      r << 1 - 2 * (x * x + y * y), 2 * (x * y - w * z), 2 * (x * z + w * y),
+                          2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x),
+                          2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (y * y + z * z);
+                      return r;
+                  }},
+                 {"the square of the axis itself on the diagonal", "classic",
+                  "What should stay on the axis is turned.",
+                  "1 - 2 (...) holds the squares of the two other components, not of the axis "
+                  "itself.",
+                  [](const Quaternion& q) -> Matrix3 {
+                      const double x = q.x(), y = q.y(), z = q.z(), w = q.w();
+                      Matrix3 r;
+                      r << 1 - 2 * x * x, 2 * (x * y - w * z), 2 * (x * z + w * y),
+                          2 * (x * y + w * z), 1 - 2 * y * y, 2 * (y * z - w * x),
+                          2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * z * z;
+                      return r;
+                  }},
+                 {"no two beside the diagonal", "classic", "Things shrink when they turn.",
+                  "Each entry beside the diagonal is a sum of two products, twice.",
+                  [](const Quaternion& q) -> Matrix3 {
+                      const double x = q.x(), y = q.y(), z = q.z(), w = q.w();
+                      Matrix3 r;
+                      r << 1 - 2 * (y * y + z * z), x * y - w * z, x * z + w * y, x * y + w * z,
+                          1 - 2 * (x * x + z * z), y * z - w * x, x * z - w * y, y * z + w * x,
+                          1 - 2 * (x * x + y * y);
+                      return r;
+                  }},
+                 {"no two on the diagonal", "classic", "Things grow when they turn.",
+                  "On the diagonal the squares count twice.",
+                  [](const Quaternion& q) -> Matrix3 {
+                      const double x = q.x(), y = q.y(), z = q.z(), w = q.w();
+                      Matrix3 r;
+                      r << 1 - (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y),
+                          2 * (x * y + w * z), 1 - (x * x + z * z), 2 * (y * z - w * x),
+                          2 * (x * z - w * y), 2 * (y * z + w * x), 1 - (x * x + y * y);
+                      return r;
+                  }},
+                 {"a plus on the diagonal", "classic", "Things explode.",
+                  "On the diagonal the squares of the two others are taken off the one.",
+                  [](const Quaternion& q) -> Matrix3 {
+                      const double x = q.x(), y = q.y(), z = q.z(), w = q.w();
+                      Matrix3 r;
+                      r << 1 + 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y),
+                          2 * (x * y + w * z), 1 + 2 * (x * x + z * z), 2 * (y * z - w * x),
+                          2 * (x * z - w * y), 2 * (y * z + w * x), 1 + 2 * (x * x + y * y);
+                      return r;
                   }}},
             .alternatives = {{"ones on the diagonal less two squares",
                               [](const Quaternion& q) -> Matrix3 {

@@ -84,6 +84,44 @@ struct Product {
                       const Eigen::AngleAxisd a(second), b(first);
                       const Vector3 sum = a.angle() * a.axis() + b.angle() * b.axis();
                       return Quaternion(Eigen::AngleAxisd(sum.norm(), sum.normalized()));
+                  }},
+                 {"the scalars exchanged", "classic", "Poses jump.",
+                  "Each vector part is multiplied with the scalar of the other one.",
+                  [](const Quaternion& second, const Quaternion& first) -> Quaternion {
+                      const Vector3 u = first.vec(), v = second.vec();
+                      const double a = first.w(), b = second.w();
+                      return four_vector(b * v + a * u + v.cross(u), b * a - v.dot(u));
+                  }},
+                 {"the scalar without the dot product", "classic",
+                  "The result is no longer as long as one.",
+                  "From the product of the scalars the dot product of the vector parts is taken "
+                  "off.",
+                  [](const Quaternion& second, const Quaternion& first) -> Quaternion {
+                      const Vector3 u = first.vec(), v = second.vec();
+                      const double a = first.w(), b = second.w();
+                      return four_vector(b * u + a * v + v.cross(u), b * a);
+                  }},
+                 {"only one of the vector parts", "classic", "The second turn is half forgotten.",
+                  "Both vector parts enter by themselves, each with the other's scalar.",
+                  [](const Quaternion& second, const Quaternion& first) -> Quaternion {
+                      const Vector3 u = first.vec(), v = second.vec();
+                      const double a = first.w(), b = second.w();
+                      return four_vector(b * u + v.cross(u), b * a - v.dot(u));
+                  }},
+                 {"only the other of the vector parts", "classic",
+                  "The first turn is half forgotten.",
+                  "Both vector parts enter by themselves, each with the other's scalar.",
+                  [](const Quaternion& second, const Quaternion& first) -> Quaternion {
+                      const Vector3 u = first.vec(), v = second.vec();
+                      const double a = first.w(), b = second.w();
+                      return four_vector(a * v + v.cross(u), b * a - v.dot(u));
+                  }},
+                 {"the cross product doubled", "classic",
+                  "The result is no longer as long as one.", "The cross product enters once.",
+                  [](const Quaternion& second, const Quaternion& first) -> Quaternion {
+                      const Vector3 u = first.vec(), v = second.vec();
+                      const double a = first.w(), b = second.w();
+                      return four_vector(b * u + a * v + 2 * v.cross(u), b * a - v.dot(u));
                   }}},
             .alternatives =
                 {{"sixteen products",

@@ -86,6 +86,26 @@ struct SmallTurn {
                   "first order is wanted, so that we can see what it loses.",
                   [](const Quaternion& q, const Vector3& beta) -> Quaternion {
                       return Quaternion(Eigen::AngleAxisd(beta.norm(), beta.normalized())) * q;
+                  }},
+                 {"beta added without a product", "classic",
+                  "A body that is turned already turns about the wrong axis.",
+                  "You add half of beta to the vector part. What is added is half of the product "
+                  "(beta, 0) q.",
+                  [](const Quaternion& q, const Vector3& beta) -> Quaternion {
+                      return Quaternion(q.w(), q.x() + beta.x() / 2, q.y() + beta.y() / 2,
+                                        q.z() + beta.z() / 2)
+                          .normalized();
+                  }},
+                 {"the turn back", "classic", "Everything turns the other way.",
+                  "You take the change away: it is added.",
+                  [](const Quaternion& q, const Vector3& beta) -> Quaternion {
+                      const Quaternion p = Quaternion(0, beta.x(), beta.y(), beta.z()) * q;
+                      return Quaternion(q.coeffs() - p.coeffs() / 2).normalized();
+                  }},
+                 {"the change for the result", "classic", "The pose jumps by half a turn.",
+                  "You return the change alone: it is added to q.",
+                  [](const Quaternion& q, const Vector3& beta) -> Quaternion {
+                      return (Quaternion(0, beta.x(), beta.y(), beta.z()) * q).normalized();
                   }}},
             .alternatives = {{"a turn by twice the arc tangent of half the angle",
                               [](const Quaternion& q, const Vector3& beta) -> Quaternion {

@@ -84,6 +84,40 @@ struct Exponential {
                                    scale = angle < 1e-4 ? 0.5 : std::sin(angle / 2) / angle;
                       return Quaternion(Eigen::Vector4d(std::cos(angle / 2), scale * a[0],
                                                         scale * a[1], scale * a[2]));
+                  }},
+                 {"the vector for its direction", "classic", "Fast turns are no turns at all.",
+                  "The sine belongs before the direction of a, a over its length; you have a "
+                  "itself.",
+                  [](const Vector3& a) -> Quaternion {
+                      const double t = a.norm();
+                      if (t == 0) return Quaternion::Identity();
+                      const Vector3 n = a / t;
+                      return four_vector(n * t * std::sin(t / 2), std::cos(t / 2));
+                  }},
+                 {"sine and cosine exchanged", "classic", "No turn is a half turn.",
+                  "The scalar is the cosine of half the angle, the vector part has the sine.",
+                  [](const Vector3& a) -> Quaternion {
+                      const double t = a.norm();
+                      if (t == 0) return Quaternion::Identity();
+                      const Vector3 n = a / t;
+                      return four_vector(n * std::cos(t / 2), std::sin(t / 2));
+                  }},
+                 {"the half in the vector part only", "classic",
+                  "The result is not as long as one.",
+                  "Both sine and cosine are of half the angle.",
+                  [](const Vector3& a) -> Quaternion {
+                      const double t = a.norm();
+                      if (t == 0) return Quaternion::Identity();
+                      const Vector3 n = a / t;
+                      return four_vector(n * std::sin(t / 2), std::cos(t));
+                  }},
+                 {"the half in the scalar only", "classic", "The result is not as long as one.",
+                  "Both sine and cosine are of half the angle.",
+                  [](const Vector3& a) -> Quaternion {
+                      const double t = a.norm();
+                      if (t == 0) return Quaternion::Identity();
+                      const Vector3 n = a / t;
+                      return four_vector(n * std::sin(t), std::cos(t / 2));
                   }}},
             .alternatives = {{"a case for tiny angles, the axis for others",
                               [](const Vector3& a) -> Quaternion {

@@ -75,6 +75,34 @@ struct Logarithm {
                   [](const Quaternion& q) -> Vector3 {
                       const double sign = q.w() < 0 ? -1 : 1, length = q.vec().norm();
                       return sign * q.vec() / length * (2 * std::atan2(length, sign * q.w()));
+                  }},
+                 {"the arguments of atan2 exchanged", "classic", "No turn is half a turn.",
+                  "atan2 takes the sine first: the length of the vector part, then w.",
+                  [](const Quaternion& q) -> Vector3 {
+                      const double s = q.w() < 0 ? -1 : 1, w = s * q.w();
+                      const Vector3 u = s * q.vec();
+                      const double l = u.norm();
+                      if (l == 0) return Vector3::Zero();
+                      return 2 * std::atan2(w, l) / l * u;
+                  }},
+                 {"the axis not made of length one", "classic", "Small turns vanish.",
+                  "The vector part has the length of the sine: divide it by that before the "
+                  "angle is multiplied on.",
+                  [](const Quaternion& q) -> Vector3 {
+                      const double s = q.w() < 0 ? -1 : 1, w = s * q.w();
+                      const Vector3 u = s * q.vec();
+                      const double l = u.norm();
+                      if (l == 0) return Vector3::Zero();
+                      return 2 * std::atan2(l, w) * u;
+                  }},
+                 {"the direction alone", "classic", "All turns are alike.",
+                  "You return the direction of the axis. Its length must be the angle.",
+                  [](const Quaternion& q) -> Vector3 {
+                      const double s = q.w() < 0 ? -1 : 1, w = s * q.w();
+                      const Vector3 u = s * q.vec();
+                      const double l = u.norm();
+                      if (l == 0) return Vector3::Zero();
+                      return u / l + 0 * w * u;
                   }}},
             .alternatives = {{"the arc sine, and two cases",
                               [](const Quaternion& q) -> Vector3 {

@@ -87,6 +87,25 @@ struct Slerp {
                   [](const Quaternion& from, const Quaternion& to, double part) -> Quaternion {
                       const Quaternion turn = nearer(from, to) * from.conjugate();
                       return from * sines(four_vector({0, 0, 0}, 1), turn, part);
+                  }},
+                 {"a blend of the rotation vectors", "classic", "The tween wobbles.",
+                  "You blend the two logarithms. That is right about one axis only: take the "
+                  "turn that leads from one to the other.",
+                  [](const Quaternion& from, const Quaternion& to, double part) -> Quaternion {
+                      return exponential((1 - part) * logarithm(from) + part * logarithm(to));
+                  }},
+                 {"the turn back", "classic", "The tween runs away from its goal.",
+                  "The turn leads from `to` to `from`. The later one stands on the left, the "
+                  "inverse of the earlier on the right.",
+                  [](const Quaternion& from, const Quaternion& to, double part) -> Quaternion {
+                      return product(exponential(part * logarithm(product(from, inverse(to)))),
+                                     from);
+                  }},
+                 {"the part of the end", "classic", "The tween begins at no turn at all.",
+                  "You take a part of the end's own turn and put it on the start. Take a part of "
+                  "the turn that leads from one to the other.",
+                  [](const Quaternion& from, const Quaternion& to, double part) -> Quaternion {
+                      return product(exponential(part * logarithm(to)), from);
                   }}},
             .alternatives =
                 {{"Shoemake's sines",

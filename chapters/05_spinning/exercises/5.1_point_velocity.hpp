@@ -78,6 +78,24 @@ struct PointVelocity {
                       Vector3 v = omega.cross(x);
                       v[2] = omega[0] * x[1] - omega[1] * x[2];
                       return v;
+                  }},
+                 {"the point added", "classic", "Points at rest move.",
+                  "You add the point's own place: that is where it is, not how fast.",
+                  [](const Vector3& omega, const Quaternion& pose, const Vector3& p) -> Vector3 {
+                      return omega.cross(rotate(pose, p)) + rotate(pose, p);
+                  }},
+                 {"omega turned, the point not", "classic",
+                  "Only bodies that are turned throw their sparks the wrong way.",
+                  "omega is in the world's axes already. It is the point that must be turned "
+                  "into the world.",
+                  [](const Vector3& omega, const Quaternion& pose, const Vector3& p) -> Vector3 {
+                      return rotate(pose, omega).cross(p);
+                  }},
+                 {"number by number", "classic", "Sparks fly along the wrong axes.",
+                  "You multiply component by component. A velocity stands at right angles to "
+                  "both: the cross product.",
+                  [](const Vector3& omega, const Quaternion& pose, const Vector3& p) -> Vector3 {
+                      return omega.cwiseProduct(rotate(pose, p));
                   }}},
             .alternatives =
                 {{"both in the body, the result turned",

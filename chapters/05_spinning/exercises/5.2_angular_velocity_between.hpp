@@ -71,6 +71,24 @@ struct AngularVelocityBetween {
                       const double length = turn.vec().norm();
                       if (length < 1e-12) return Vector3::Zero();
                       return turn.vec() / length * (2 * std::atan2(length, turn.w()) / dt);
+                  }},
+                 {"the difference of the rotation vectors", "classic",
+                  "Right as long as the axis stays.",
+                  "You subtract the two logarithms. That is right about one axis only: take the "
+                  "logarithm of the turn that leads from one to the other.",
+                  [](const Quaternion& from, const Quaternion& to, double dt) -> Vector3 {
+                      return (logarithm(to) - logarithm(from)) / dt;
+                  }},
+                 {"the product without its inverse", "classic", "Bodies at rest seem to spin.",
+                  "You take the logarithm of the product of both poses. It is the later one "
+                  "times the inverse of the earlier.",
+                  [](const Quaternion& from, const Quaternion& to, double dt) -> Vector3 {
+                      return logarithm(product(to, from)) / dt;
+                  }},
+                 {"half of the turn", "classic", "Everything seems half as fast.",
+                  "You take half of the logarithm. It is the whole rotation vector already.",
+                  [](const Quaternion& from, const Quaternion& to, double dt) -> Vector3 {
+                      return logarithm(product(to, inverse(from))) / (2 * dt);
                   }}},
             .alternatives = {{"by Eigen's angle and axis",
                               [](const Quaternion& from, const Quaternion& to, double dt)

@@ -53,7 +53,10 @@ struct FirstOrderLag {
                   "sine.",
                   [](double theta) -> double {
                       return theta - 2 * std::asin(std::clamp(theta / 2, -1.0, 1.0));
-                  }}},
+                  }},
+                 {"twice the arc tangent of the whole", "classic", "The lag comes out negative.",
+                  "The 4-vector holds half of the angle: the arc tangent is that of theta/2.",
+                  [](double theta) -> double { return theta - 2 * std::atan(theta); }}},
             .alternatives = {{"by both legs",
                               [](double theta) -> double {
                                   return theta - 2 * std::atan2(theta, 2.0);

@@ -68,6 +68,23 @@ struct ExponentialMap {
                   "You ask for the angular velocity at t + dt. The step starts at t.",
                   [](const Quaternion& q, const auto& spin, double t, double dt) -> Quaternion {
                       return exp_of(spin(q, t + dt) * dt) * q;
+                  }},
+                 {"the time of the step's middle", "classic",
+                  "A better method for a spin that follows the clock, and not the one asked for.",
+                  "You ask for the angular velocity at t + dt/2. This step takes that of its "
+                  "start.",
+                  [](const Quaternion& q, const auto& spin, double t, double dt) -> Quaternion {
+                      return product(exponential(spin(q, t + dt / 2) * dt), q);
+                  }},
+                 {"the step's time forgotten", "classic", "Everything spins wildly.",
+                  "You turn by omega itself. The angle is omega times dt.",
+                  [](const Quaternion& q, const auto& spin, double t, double dt) -> Quaternion {
+                      return product(exponential(spin(q, t) + 0 * dt * spin(q, t)), q);
+                  }},
+                 {"the turn alone", "classic", "Everything jumps back to where it began.",
+                  "You return the turn of this step alone. It comes on top of q.",
+                  [](const Quaternion& q, const auto& spin, double t, double dt) -> Quaternion {
+                      return exponential(spin(q, t) * dt);
                   }}},
             .alternatives =
                 {{"about the body's axes, with omega turned into them",

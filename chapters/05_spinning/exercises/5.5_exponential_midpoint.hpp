@@ -59,6 +59,38 @@ struct ExponentialMidpoint {
                   [](const Quaternion& q, const auto& spin, double t, double dt) -> Quaternion {
                       const Quaternion middle = q * exp_of(spin(q, t) * (dt / 2));
                       return q * exp_of(spin(middle, t + dt / 2) * dt);
+                  }},
+                 {"the step's end for its middle", "classic", "It is of second order no more.",
+                  "You go a whole step to find the middle: half a step, dt/2.",
+                  [](const Quaternion& q, const auto& spin, double t, double dt) -> Quaternion {
+                      const Quaternion m = exponential_map(q, spin, t, dt);
+                      return product(exponential(spin(m, t + dt / 2) * dt), q);
+                  }},
+                 {"the angular velocity of the end", "classic", "It is of first order only.",
+                  "You ask for the angular velocity at the end of the step, not at its middle.",
+                  [](const Quaternion& q, const auto& spin, double t, double dt) -> Quaternion {
+                      const Quaternion m = exponential_map(q, spin, t, dt);
+                      return product(exponential(spin(m, t + dt) * dt), q);
+                  }},
+                 {"the mean of start and end", "classic", "As good, but another method.",
+                  "You take the mean of the angular velocities of both ends. The one of the "
+                  "middle was asked for.",
+                  [](const Quaternion& q, const auto& spin, double t, double dt) -> Quaternion {
+                      const Quaternion m = exponential_map(q, spin, t, dt);
+                      return product(exponential((spin(q, t) + spin(m, t + dt)) * (dt / 2)), q);
+                  }},
+                 {"the end's time with the middle's pose", "classic",
+                  "It is of first order only.",
+                  "The pose of the middle belongs to the time t + dt/2.",
+                  [](const Quaternion& q, const auto& spin, double t, double dt) -> Quaternion {
+                      const Quaternion m = exponential_map(q, spin, t, dt / 2);
+                      return product(exponential(spin(m, t + dt) * dt), q);
+                  }},
+                 {"half a turn at the end", "classic", "Everything spins at half its speed.",
+                  "The last turn lasts the whole of dt.",
+                  [](const Quaternion& q, const auto& spin, double t, double dt) -> Quaternion {
+                      const Quaternion m = exponential_map(q, spin, t, dt / 2);
+                      return product(exponential(spin(m, t + dt / 2) * (dt / 2)), q);
                   }}},
             .alternatives =
                 {{"in one breath",

@@ -79,6 +79,55 @@ struct Magnus4 {
                   "The cross product of two angular velocities is in 1/s^2: it wants dt twice.",
                   [](const Quaternion& q, const auto& spin, double t, double dt) -> Quaternion {
                       return with(q, spin, t, dt, std::sqrt(3.0) / 6, std::sqrt(3.0) / 12 / dt);
+                  }},
+                 {"the looks twice too far from the middle", "classic",
+                  "It is of second order only.",
+                  "The two looks are sqrt(3)/6 of the step to either side of its middle. Twice "
+                  "that belongs to an interval of length 2.",
+                  [](const Quaternion& q, const auto& spin, double t, double dt) -> Quaternion {
+                      const double r = std::sqrt(3.0);
+                      const Vector3 f = spin(q, t + dt * (0.5 - 1 / r)),
+                                    s = spin(q, t + dt * (0.5 + 1 / r));
+                      return product(
+                          exponential(dt / 2 * (f + s) + r / 12 * dt * dt * s.cross(f)), q);
+                  }},
+                 {"the cross product twice", "classic", "It is of second order only.",
+                  "The factor of the cross product is sqrt(3)/12.",
+                  [](const Quaternion& q, const auto& spin, double t, double dt) -> Quaternion {
+                      const double r = std::sqrt(3.0);
+                      const Vector3 f = spin(q, t + dt * (0.5 - r / 6)),
+                                    s = spin(q, t + dt * (0.5 + r / 6));
+                      return product(exponential(dt / 2 * (f + s) + r / 6 * dt * dt * s.cross(f)),
+                                     q);
+                  }},
+                 {"the cross product without its root", "classic", "It is of second order only.",
+                  "The factor of the cross product is sqrt(3)/12, with the root.",
+                  [](const Quaternion& q, const auto& spin, double t, double dt) -> Quaternion {
+                      const double r = std::sqrt(3.0);
+                      const Vector3 f = spin(q, t + dt * (0.5 - r / 6)),
+                                    s = spin(q, t + dt * (0.5 + r / 6));
+                      return product(exponential(dt / 2 * (f + s) + dt * dt / 12 * s.cross(f)),
+                                     q);
+                  }},
+                 {"the looks a quarter from the ends", "classic", "It is of second order only.",
+                  "The two looks are sqrt(3)/6 of the step to either side of its middle, not a "
+                  "quarter.",
+                  [](const Quaternion& q, const auto& spin, double t, double dt) -> Quaternion {
+                      const double r = std::sqrt(3.0);
+                      const Vector3 f = spin(q, t + dt * (0.5 - 0.25)),
+                                    s = spin(q, t + dt * (0.5 + 0.25));
+                      return product(
+                          exponential(dt / 2 * (f + s) + r / 12 * dt * dt * s.cross(f)), q);
+                  }},
+                 {"the looks too near to the middle", "classic", "It is of second order only.",
+                  "The two looks are sqrt(3)/6 of the step to either side of its middle, not "
+                  "sqrt(3)/12.",
+                  [](const Quaternion& q, const auto& spin, double t, double dt) -> Quaternion {
+                      const double r = std::sqrt(3.0);
+                      const Vector3 f = spin(q, t + dt * (0.5 - r / 12)),
+                                    s = spin(q, t + dt * (0.5 + r / 12));
+                      return product(
+                          exponential(dt / 2 * (f + s) + r / 12 * dt * dt * s.cross(f)), q);
                   }}},
             .alternatives = {{"minus the first crossed with the second",
                               [](const Quaternion& q, const auto& spin, double t,

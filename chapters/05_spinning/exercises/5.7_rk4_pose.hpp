@@ -83,6 +83,48 @@ struct Rk4Pose {
                           const Flat r = rate_of(spin(pose, now), pose);
                           return Flat(r[3], r[0], r[1], r[2]);
                       });
+                  }},
+                 {"four numbers in another order", "classic", "Poses jump.",
+                  "Eigen's constructor takes w first, but coeffs() keeps it last: make the pose "
+                  "from the four numbers as a vector.",
+                  [](const Quaternion& q, const auto& spin, double t, double dt) -> Quaternion {
+                      const auto rate = [&](const Eigen::Vector4d& y,
+                                            [[maybe_unused]] double now) {
+                          const Quaternion p(y[0], y[1], y[2], y[3]);
+                          return Eigen::Vector4d((Quaternion(0, spin(p, now).x(),
+                                                             spin(p, now).y(), spin(p, now).z()) *
+                                                  p)
+                                                     .coeffs() /
+                                                 2);
+                      };
+                      return Quaternion(rk4(Eigen::Vector4d(q.coeffs()), rate, t, dt));
+                  }},
+                 {"the start's pose four times", "classic",
+                  "Right for a spin that follows the clock, not for one that follows the body.",
+                  "You ask spin for the pose of the start each time. Each of the four rates "
+                  "wants its own.",
+                  [](const Quaternion& q, const auto& spin, double t, double dt) -> Quaternion {
+                      const auto rate = [&](const Eigen::Vector4d& y,
+                                            [[maybe_unused]] double now) {
+                          const Quaternion p(y);
+                          const Vector3 o = spin(q, now);
+                          return Eigen::Vector4d(
+                              (Quaternion(0, o.x(), o.y(), o.z()) * p).coeffs() / 2);
+                      };
+                      return Quaternion(rk4(Eigen::Vector4d(q.coeffs()), rate, t, dt));
+                  }},
+                 {"the rate of the start's pose", "classic", "It turns along a straight line.",
+                  "The rate multiplies omega with the pose of the start. It is the pose of the "
+                  "look.",
+                  [](const Quaternion& q, const auto& spin, double t, double dt) -> Quaternion {
+                      const auto rate = [&](const Eigen::Vector4d& y,
+                                            [[maybe_unused]] double now) {
+                          const Quaternion p(y);
+                          const Vector3 o = spin(p, now);
+                          return Eigen::Vector4d(
+                              (Quaternion(0, o.x(), o.y(), o.z()) * q).coeffs() / 2);
+                      };
+                      return Quaternion(rk4(Eigen::Vector4d(q.coeffs()), rate, t, dt));
                   }}},
             .alternatives = {{"four rates by hand",
                               [](const Quaternion& q, const auto& spin, double t,

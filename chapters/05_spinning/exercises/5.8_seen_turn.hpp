@@ -58,6 +58,22 @@ struct SeenTurn {
                   [](double turn, int spokes) -> double {
                       const double part = turn * spokes / (2 * pi);
                       return part - std::round(part);
+                  }},
+                 {"cut towards zero", "classic", "No wheel ever turns backwards.",
+                  "fmod cuts towards zero: what is left has the sign of the turn and may be "
+                  "nearly a whole gap. The shortest turn is at most half a gap.",
+                  [](double turn, int spokes) -> double {
+                      return std::fmod(turn, 2 * pi / spokes);
+                  }},
+                 {"times the spokes", "classic", "Only very fast wheels turn backwards.",
+                  "The wheel looks the same after a whole turn over the number of spokes.",
+                  [](double turn, int spokes) -> double {
+                      return std::remainder(turn, 2 * pi * spokes);
+                  }},
+                 {"without its sign", "classic", "No wheel ever turns backwards.",
+                  "You return the size of the turn. Backwards is negative.",
+                  [](double turn, int spokes) -> double {
+                      return std::abs(std::remainder(turn, 2 * pi / spokes));
                   }}},
             .alternatives = {{"by the nearest whole number of spokes",
                               [](double turn, int spokes) -> double {
