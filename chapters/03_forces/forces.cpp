@@ -1,4 +1,5 @@
 // Chapter 3 · Types of forces.  ./course run 3  runs it; results in out/03_forces.
+#include <nutshell/lab/parts.hpp>
 #include "program.hpp"
 #include "scale.hpp"
 
@@ -20,19 +21,19 @@ void announce_comparison(lab::Report& report) {
 }  // namespace nutshell
 
 int main(int argc, char** argv) {
-    return nutshell::lab::program(argc, argv, "03_forces", [](nutshell::lab::Report& report) {
-        nutshell::falling(report);
-        nutshell::springs(report);
-        nutshell::limits(report);
-        nutshell::planet_again(report);
-        nutshell::model_ladder(report);
-        nutshell::diagrams(report);
-        nutshell::pictures(report);
-        nutshell::announce_comparison(report);
-        nutshell::hanging_chain(report);
-        nutshell::net_limits(report);
-        nutshell::hanging_cloth(report);
-        nutshell::stiff_cloth(report);
-        nutshell::scale(report);
-    });
+    using namespace nutshell;
+    return lab::program(argc, argv, "03_forces",
+                        {{"falling", falling},
+                         {"springs", springs},
+                         {"limits", limits},
+                         {"planet again", planet_again},
+                         {"model ladder", model_ladder},
+                         {"diagrams", diagrams},
+                         {"pictures", pictures},
+                         {"announce comparison", announce_comparison},
+                         {"hanging chain", hanging_chain},
+                         {"net limits", net_limits},
+                         {"hanging cloth", hanging_cloth},
+                         {"stiff cloth", stiff_cloth},
+                         {"scale", scale}});
 }

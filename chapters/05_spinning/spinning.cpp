@@ -1,14 +1,15 @@
 // Chapter 5 · Spinning.  ./course run 5  runs it; results in out/05_spinning.
+#include <nutshell/lab/parts.hpp>
 #include "program.hpp"
 
 int main(int argc, char** argv) {
-    return nutshell::lab::program(argc, argv, "05_spinning", [](nutshell::lab::Report& report) {
-        nutshell::velocity(report);
-        nutshell::steady_spin(report);
-        nutshell::ten_turns(report);
-        nutshell::engines(report);
-        nutshell::coning(report);
-        nutshell::wagon(report);
-        nutshell::pictures(report);
-    });
+    using namespace nutshell;
+    return lab::program(argc, argv, "05_spinning",
+                        {{"velocity", velocity},
+                         {"steady spin", steady_spin},
+                         {"ten turns", ten_turns},
+                         {"engines", engines},
+                         {"coning", coning},
+                         {"wagon", wagon},
+                         {"pictures", pictures}});
 }

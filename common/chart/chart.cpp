@@ -104,6 +104,7 @@ std::string svg(const Chart& chart) {
 void write_svg(const Chart& chart, const std::filesystem::path& path) {
     Chart named = chart;
     if (named.name.empty()) named.name = path.stem().string();
+    parts::compare(named, named.name, named.subtitle);
     write_file(path, svg(named));
 }
 

@@ -54,6 +54,12 @@ std::string svg(const Figure& figure) {
 void write_svg(const Figure& figure, const std::filesystem::path& path) {
     Figure named = figure;
     if (named.name.empty()) named.name = path.stem().string();
+    for (std::size_t i = 0; i < named.panels.size(); ++i) {
+        std::string whole =
+            i == 0 ? named.subtitle : "";  // the panels are small: the figure says whose it is
+        parts::compare(named.panels[i], named.name + "_" + std::to_string(i), whole);
+        if (i == 0) named.subtitle = whole;
+    }
     write_file(path, svg(named));
 }
 

@@ -216,6 +216,8 @@ std::string summary(const Chart& chart);  ///< what a reader who does not see th
 /// The SVG round its two layouts: root, title and description, style sheet, paper.
 std::string document(const std::string& name, const std::string& title, const std::string& told,
                      const Layout& wide, const Layout& narrow);
+/// Keeps a chart's points and compares it, where that is asked for; see beside.hpp. (beside.cpp)
+void compare(Chart& chart, const std::string& name, std::string& subtitle);
 /// Throws what svg() promises to throw. (chart_check.cpp)
 void check(const Chart& chart);
 void check(const Ranking& ranking);

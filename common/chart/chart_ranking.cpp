@@ -182,6 +182,8 @@ std::string svg(const Ranking& ranking) {
 void write_svg(const Ranking& ranking, const std::filesystem::path& path) {
     Ranking named = ranking;
     if (named.name.empty()) named.name = path.stem().string();
+    Chart none;
+    parts::compare(none, named.name, named.subtitle);
     write_file(path, svg(named));
 }
 

@@ -4,8 +4,10 @@
 #include <exception>
 #include <fstream>
 #include <iostream>
+#include <map>
+#include <nutshell/chart/beside.hpp>
 #include <nutshell/chart/chart.hpp>
-#include <nutshell/lab/output.hpp>
+#include <nutshell/lab/parts.hpp>
 #include <nutshell/require.hpp>
 
 namespace nutshell::lab {
@@ -79,28 +81,42 @@ void Report::finish() {
     std::cout << '\n' << std::flush;
 }
 
-int program(int argc, char** argv, const std::string& name, const std::function<void(Report&)>& chapter) {
-    std::filesystem::path folder = std::filesystem::path("out") / name;
-    for (int i = 1; i < argc; ++i) {
-        if (std::strcmp(argv[i], "--out") == 0 && i + 1 < argc) {
-            folder = argv[++i];
-        } else {
+int program(int argc, char** argv, const std::string& name, const std::vector<Part>& parts) {
+    std::map<std::string, std::string> options{{"--out", (std::filesystem::path("out") / name).string()}};
+    for (const auto* option : {"--points", "--beside", "--yours"}) options[option];
+    for (int i = 1; i < argc; i += 2) {
+        if (i + 1 >= argc || !options.count(argv[i])) {
             std::cerr << name << ": unknown argument '" << argv[i] << "'. Usage: " << name
-                      << " [--out DIR]\n";
+                      << " [--out DIR] [--points DIR] [--beside DIR --yours WORDS]\n";
             return 2;
         }
+        options[argv[i]] = argv[i + 1];
     }
+    const std::filesystem::path folder = options["--out"];
+    const bool carries_on = !options["--yours"].empty();
+    if (!options["--points"].empty()) chart::keep_points(options["--points"]);
+    if (carries_on) chart::draw_beside(options["--beside"], options["--yours"]);
     try {
         write_file(folder / ".writable", "");  // an unwritable folder is found before the work, not after it
         std::filesystem::remove(folder / ".writable");
         Report report(folder, "./course run " + name.substr(1, 1));
-        chapter(report);
+        for (const Part& part : parts) try {
+                part.run(report);
+            } catch (const std::exception& problem) {
+                if (!carries_on) throw;
+                report.say(std::string("With ") + options["--yours"] + " this cannot be measured (" +
+                           part.name + "): " + problem.what());
+            }
         report.finish();
         return 0;
     } catch (const std::exception& problem) {
         std::cerr << name << ": " << problem.what() << '\n';
         return 1;
     }
+}
+
+int program(int argc, char** argv, const std::string& name, const std::function<void(Report&)>& chapter) {
+    return program(argc, argv, name, std::vector<Part>{{name.c_str(), chapter}});
 }
 
 }  // namespace nutshell::lab

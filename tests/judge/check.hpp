@@ -44,8 +44,9 @@ Chapter chapter_of(const Rooms& rooms, const std::string& verb, const std::strin
 /// there is no answer, where the chapter finds them first. The caller holds the lock of CONFIG_MINE.
 /// @param broken  what an answer that does not compile, crashes or does not end does: the reference stands in
 /// for it, with a sentence, or std::runtime_error is thrown with that sentence
+/// @return those that are the learner's
 enum class Broken { has_a_stand_in, stops };
-void stock_mine(const Rooms& rooms, const Chapter& chapter, Broken broken);
+std::vector<Number> stock_mine(const Rooms& rooms, const Chapter& chapter, Broken broken);
 /// Builds a target on them. @throws std::runtime_error with the compiler's words about the learner's line
 void build_mine(const Rooms& rooms, const Chapter& chapter, const std::string& target);
 /// ./course live N --mine: a copy of the book in `out`, its moving figures on the learner's answers, made

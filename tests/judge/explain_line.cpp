@@ -132,10 +132,16 @@ std::string unknown_name(const std::string& name, const Reach& reach, const std:
     for (const auto& member : reach.members)
         if (member.substr(member.find('.') + 1) == name)
             return "Nothing is called " + name + " by itself. Do you mean " + member + "?";
-    for (const auto* in_std : {"max", "min", "sqrt", "exp", "log", "pow", "abs", "floor", "ceil", "round",
-                               "cbrt", "array", "vector", "accumulate", "clamp"})
+    for (const auto* in_std :
+         {"max",   "min",   "sqrt",      "exp",   "log",    "pow",        "abs",      "floor",
+          "ceil",  "round", "cbrt",      "array", "vector", "accumulate", "clamp",    "numeric_limits",
+          "hypot", "fmod",  "remainder", "sin",   "cos",    "tan",        "asin",     "acos",
+          "atan",  "atan2", "log10",     "expm1", "trunc",  "lround",     "isfinite", "isnan",
+          "swap",  "span",  "complex",   "polar", "numbers"})
         if (name == in_std)
             return "Do you mean std::" + name + "? Names of the standard library begin with std::.";
+    if (std::find(reach.names.begin(), reach.names.end(), name) != reach.names.end())
+        return "There is a " + name + ", but not here: what is used must be declared above this line.";
     const std::string other = nearest(name, reach.names);
     return "Nothing is called " + name + " here" +
            (other.empty() ? ": is it spelled right, and declared above this line?"

@@ -1,6 +1,7 @@
 // What a compiler's message and the learner's line mean together, where no name need be looked up.
 #include <array>
 #include <regex>
+#include "explain.hpp"
 #include "explain_line.hpp"
 
 namespace nutshell::judge {
@@ -25,6 +26,15 @@ constexpr Rule rules[] = {
      "No new here: it gives a pointer. A value is made by its type alone: Vector3(1, 2, 3)."},
     {"", R"(\bstd[.]\w|\bstd:\w|\b(Math|math|np)[.]\w)",
      "Names of the standard library are written std::sqrt, std::abs, ..., with two colons."},
+    {"", R"((return|=) ?\[[^\]&=]*,[^\]]*\] ?;)", "A list of values stands in braces: {a, b, c}."},
+    {R"(no match for 'operator<<' \(operand types are 'const )", "", says_const},
+    {R"(call to 'Quaternion::Quaternion|call to constructor of 'Quaternion')", "",
+     "A Quaternion is not made of these: four_vector(u, w) makes it of its vector part and w, and Eigen's "
+     "constructor takes four numbers, w first."},
+    {R"(cannot convert '.*(expression of vectors|Vector3)' to 'double')", R"(\w \* \w)",
+     "A vector stands where a number is needed. The product of two vectors that is a number is a.dot(b)."},
+    {R"(cannot convert '.*(expression of vectors|Vector3)' to 'int')", "",
+     "auto x = 0 makes x an int. A sum of vectors begins with  Vector3 x = Vector3::Zero();"},
     {"invalid preprocessing|stray '#'", "", "A comment begins with //, not with #."},
     {"unterminated comment", "", "A comment is opened by /* and never closed by */."},
     {"missing terminating|unterminated", "[\"']", "A quotation mark is opened and not closed."},

@@ -54,7 +54,7 @@ std::string engine(const fs::path& own_file, const std::string& own_text, const 
 
 }  // namespace
 
-void stock_mine(const Rooms& rooms, const Chapter& chapter, Broken broken) {
+std::vector<Number> stock_mine(const Rooms& rooms, const Chapter& chapter, Broken broken) {
     const fs::path answers = rooms.answers / chapter.folder;
     if (!fs::exists(answers))
         throw std::runtime_error("there is no " + named(rooms, answers) + " yet: ./course start makes it");
@@ -77,6 +77,7 @@ void stock_mine(const Rooms& rooms, const Chapter& chapter, Broken broken) {
             wrong += (wrong.empty() ? "" : ", ") + verdict.number.text() + " (" + verdict.name + ")";
     }
 
+    std::vector<Number> all_own;
     for (const Chapter& each : chapters_of(rooms)) {
         if (each.number > chapter.number) continue;
         Stock stock;
@@ -98,6 +99,7 @@ void stock_mine(const Rooms& rooms, const Chapter& chapter, Broken broken) {
                     std::none_of(each.headers.begin(), each.headers.end(),
                                  [&](const auto& header) { return header.path == name; }))
                     write_if_changed(fs::path(CONFIG_MINE) / each.folder / name, read_text(entry.path()));
+        all_own.insert(all_own.end(), stock.own.begin(), stock.own.end());
         if (!stock.own.empty()) std::cout << "Yours: " << ranges(stock.own) << ". ";
         if (!stock.reference.empty())
             std::cout << (stock.own.empty() ? "None is yours: the" : "The") << " reference stands in for "
@@ -106,6 +108,7 @@ void stock_mine(const Rooms& rooms, const Chapter& chapter, Broken broken) {
     }
     if (!wrong.empty()) std::cout << "Not right yet, so look at what it does: " << wrong << '\n';
     std::cout << "Compiling chapter " << chapter.number << " on it ...\n" << std::flush;
+    return all_own;
 }
 
 void build_mine(const Rooms& rooms, const Chapter& chapter, const std::string& target) {
@@ -130,11 +133,27 @@ int verb_mine(const Rooms& rooms, const std::string& which, const fs::path& want
     const Chapter chapter = chapter_of(rooms, "run", which);
     const fs::path out = wanted_out.empty() ? rooms.course / "out/mine" / chapter.folder : wanted_out;
     const Lock lock(CONFIG_MINE);
-    stock_mine(rooms, chapter, Broken::has_a_stand_in);
+    const std::vector<Number> own = stock_mine(rooms, chapter, Broken::has_a_stand_in);
     const std::string target = "mine_" + chapter.folder;
     build_mine(rooms, chapter, target);
-    const Ran ran = run({(fs::path(CONFIG_BIN) / target).string(), "--out", out.string()},
-                        {.wall_seconds = 600, .printed = 1 << 20});
+
+    // the reference's curves, as ghosts; they are drawn again only if its program is newer
+    const fs::path reference = fs::path(CONFIG_BIN) / chapter.folder,
+                   points = fs::path(CONFIG_MINE) / "points" / chapter.folder;
+    std::error_code problem;
+    if (fs::exists(reference) &&
+        (!fs::exists(points / "made") ||
+         fs::last_write_time(points / "made", problem) < fs::last_write_time(reference, problem))) {
+        const Ran ran =
+            run({reference.string(), "--out", (points / "out").string(), "--points", points.string()},
+                {.wall_seconds = 600, .printed = 1 << 20});
+        if (ran.exit_code == 0) write_text(points / "made", "");
+        fs::remove_all(points / "out", problem);
+    }
+    std::vector<std::string> words{(fs::path(CONFIG_BIN) / target).string(), "--out", out.string()};
+    if (!own.empty())
+        words.insert(words.end(), {"--beside", points.string(), "--yours", "your " + ranges(own)});
+    const Ran ran = run(words, {.wall_seconds = 600, .printed = 1 << 20});
     std::cout << ran.out << std::flush;
     std::cerr << ran.err;
     if (ran.out_of_time || ran.signal)

@@ -84,6 +84,14 @@ struct Spiralled {
                   [](Complex z, Complex lambda, double t) -> Complex {
                       return z * std::exp(-lambda.real() * t) *
                              std::polar(1.0, lambda.imag() * t);
+                  }},
+                 {"the angle of lambda for its imaginary part", "classic",
+                  "The spring swings at the wrong rate.",
+                  "You turn by the argument of lambda. The rate of turning is its imaginary "
+                  "part.",
+                  [](Complex z, Complex lambda, double t) -> Complex {
+                      return z * std::exp(lambda.real() * t) *
+                             std::polar(1.0, std::arg(lambda) * t);
                   }}},
             .alternatives = {{"the complex exponential",
                               [](Complex z, Complex lambda, double t) -> Complex {

@@ -12,9 +12,10 @@ struct VelocityBetween {
 
     template <class Answer>
     static void ask(Paper& paper, const Answer& answer) {
-        const double dt = paper.step(0.4);
+        const double h = paper.step(0.4), other = paper.step(0.7);
         const Vector3 a{1.2, -0.7, 2.1}, b{1.7, 2.9, -0.6}, c{-2.3, 0.8, 3.1};
-        for (const auto& [position, next] : {std::pair{a, b}, {a, c}, {b, c}}) {
+        for (const auto& [position, next, dt] :
+             {std::tuple{a, b, h}, {a, c, h}, {b, c, h}, {b, c, other}}) {
             paper.input("position", position, "next_position", next, "dt", dt);
             const Vector3 velocity = answer(position, next, dt);
             paper.output("the velocity [m/s]", velocity, position / dt, next / dt);

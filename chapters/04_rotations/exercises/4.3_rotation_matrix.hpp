@@ -136,6 +136,16 @@ struct RotationMatrix {
                           2 * (x * y + w * z), 1 + 2 * (x * x + z * z), 2 * (y * z - w * x),
                           2 * (x * z - w * y), 2 * (y * z + w * x), 1 + 2 * (x * x + y * y);
                       return r;
+                  }},
+                 {"no two at all", "classic", "Things shrink when they turn.",
+                  "Each product counts twice, on the diagonal and beside it.",
+                  [](const Quaternion& q) -> Matrix3 {
+                      const double x = q.x(), y = q.y(), z = q.z(), w = q.w();
+                      Matrix3 r;
+                      r << 1 - y * y - z * z, x * y - w * z, x * z + w * y, x * y + w * z,
+                          1 - x * x - z * z, y * z - w * x, x * z - w * y, y * z + w * x,
+                          1 - x * x - y * y;
+                      return r;
                   }}},
             .alternatives = {{"ones on the diagonal less two squares",
                               [](const Quaternion& q) -> Matrix3 {

@@ -15,9 +15,10 @@ struct Product {
     template <class Answer>
     static void ask(Paper& paper, const Answer& answer) {
         const Quaternion a = unit(0.3, -0.5, 0.7, 0.4), b = unit(-0.6, 0.2, 0.1, -0.9),
-                         c = unit(0.8, 0.4, -0.3, 0.2), none = unit(0, 0, 0, 1);
+                         c = unit(0.8, 0.4, -0.3, 0.2), none = unit(0, 0, 0, 1),
+                         arrow(0, 0.9, -0.4, 1.3);  // not of length one: a vector as a 4-vector
         for (const auto& [second, first] :
-             {std::pair(a, b), {b, a}, {c, a}, {a, none}, {none, c}}) {
+             {std::pair(a, b), {b, a}, {c, a}, {a, none}, {none, c}, {arrow, b}}) {
             paper.input("second", second, "first", first);
             const Quaternion q = answer(second, first);
             paper.output("the 4-vector", q, 1.0);

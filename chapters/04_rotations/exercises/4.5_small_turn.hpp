@@ -106,6 +106,13 @@ struct SmallTurn {
                   "You return the change alone: it is added to q.",
                   [](const Quaternion& q, const Vector3& beta) -> Quaternion {
                       return (Quaternion(0, beta.x(), beta.y(), beta.z()) * q).normalized();
+                  }},
+                 {"four numbers in another order", "classic",
+                  "Everything turns by nearly half a turn.",
+                  "Eigen's constructor from four numbers takes w first: the one went into z.",
+                  [](const Quaternion& q, const Vector3& beta) -> Quaternion {
+                      return (Quaternion(beta.x() / 2, beta.y() / 2, beta.z() / 2, 1) * q)
+                          .normalized();
                   }}},
             .alternatives = {{"a turn by twice the arc tangent of half the angle",
                               [](const Quaternion& q, const Vector3& beta) -> Quaternion {

@@ -103,6 +103,24 @@ struct Logarithm {
                       const double l = u.norm();
                       if (l == 0) return Vector3::Zero();
                       return u / l + 0 * w * u;
+                  }},
+                 {"the angle without the sign, the axis with it", "classic",
+                  "Tweens beyond half a turn run backwards.",
+                  "For w below zero you make the angle the short one and leave the axis. -q is "
+                  "the same pose: turn the sign of all four numbers.",
+                  [](const Quaternion& q) -> Vector3 {
+                      const double l = q.vec().norm();
+                      if (l == 0) return Vector3::Zero();
+                      return 2 * std::atan2(l, std::abs(q.w())) / l * q.vec();
+                  }},
+                 {"the longer way, by the arc cosine", "classic",
+                  "A door swings open through the wall, and slow turns stand still.",
+                  "For w below zero you turn by more than half a turn: -q is the same pose, the "
+                  "shorter way. And near 1 the cosine has forgotten the angle: use atan2.",
+                  [](const Quaternion& q) -> Vector3 {
+                      const double s = std::sqrt(1 - q.w() * q.w());
+                      if (s < 1e-8) return Vector3::Zero();
+                      return 2 * std::acos(q.w()) / s * q.vec();
                   }}},
             .alternatives = {{"the arc sine, and two cases",
                               [](const Quaternion& q) -> Vector3 {

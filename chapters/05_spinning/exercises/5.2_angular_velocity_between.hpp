@@ -89,6 +89,15 @@ struct AngularVelocityBetween {
                   "You take half of the logarithm. It is the whole rotation vector already.",
                   [](const Quaternion& from, const Quaternion& to, double dt) -> Vector3 {
                       return logarithm(product(to, inverse(from))) / (2 * dt);
+                  }},
+                 {"the difference of the numbers", "classic",
+                  "Fast turns look slower, and a pose written as -q spins wildly.",
+                  "The difference of the four numbers is right for small turns only, and q and "
+                  "-q are the same pose. Take the logarithm of the turn between them.",
+                  [](const Quaternion& from, const Quaternion& to, double dt) -> Vector3 {
+                      return 2 * product(Quaternion((to.coeffs() - from.coeffs()) / dt),
+                                         inverse(from))
+                                     .vec();
                   }}},
             .alternatives = {{"by Eigen's angle and axis",
                               [](const Quaternion& from, const Quaternion& to, double dt)

@@ -12,6 +12,10 @@ struct ExponentialMap {
     template <class Answer>
     static void ask(Paper& paper, const Answer& answer) {
         ask_spin(paper, answer, 0.6);
+        const Quaternion q = Quaternion(0.4, 0.3, -0.5, 0.7).normalized();
+        paper.input("q", q, "a body that does not spin, dt", paper.step(0.2));
+        const Quaternion same = answer(q, Wobble{0, 0}, 0.6, paper.step(0.2));
+        paper.output("the pose", same, 1.0);
     }
 
 #ifndef NUTSHELL_SHEET

@@ -74,6 +74,13 @@ struct SeenTurn {
                   "You return the size of the turn. Backwards is negative.",
                   [](double turn, int spokes) -> double {
                       return std::abs(std::remainder(turn, 2 * pi / spokes));
+                  }},
+                 {"a half added, then cut", "classic", "Wheels that turn backwards jump.",
+                  "A cast to int cuts towards zero: adding a half rounds positive numbers only. "
+                  "std::round does both.",
+                  [](double turn, int spokes) -> double {
+                      const double gap = 2 * pi / spokes;
+                      return turn - gap * static_cast<int>(turn / gap + 0.5);
                   }}},
             .alternatives = {{"by the nearest whole number of spokes",
                               [](double turn, int spokes) -> double {
