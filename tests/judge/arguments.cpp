@@ -101,7 +101,8 @@ std::optional<Finding> wrong_somewhere(const Evidence& evidence) {
             numbers = numbers && values.size() == 1;
             const double size = distance(values, Values(values.size(), 0.0));
             Side& side = wrong.count(i) ? bad : good;
-            side.least = std::min(side.least, size), side.largest = std::max(side.largest, size);
+            if (size > 1e-100) side.least = std::min(side.least, size);  // zero is a case of its own
+            side.largest = std::max(side.largest, size);
             ++side.count, side.zeros += size == 0, side.below += values[0] < 0;
         }
         if (!everywhere || bad.count == 0 || good.count == 0) continue;
@@ -116,9 +117,11 @@ std::optional<Finding> wrong_somewhere(const Evidence& evidence) {
                 return {
                     {"wrong where " + name + " is not negative", {also + name + " is zero or positive."}}};
         }
-        const std::string size = numbers ? name : "the length of " + name;
+        const std::string size = !numbers                 ? "the length of " + name
+                                 : bad.below + good.below ? "the size of " + name
+                                                          : name;
         const bool many = bad.count > 1 && good.count > 1;
-        if (bad.largest < good.least && (many || 100 * bad.largest < good.least))
+        if (bad.zeros == 0 && bad.largest < good.least && (many || 100 * bad.largest < good.least))
             return {{"wrong where " + name + " is small",
                      {also + size + " is small: wrong up to " + digits(bad.largest, "%.4g") +
                       ", right from " + digits(good.least, "%.4g") + " on."}}};

@@ -202,8 +202,22 @@ class Check {
             if (auto clue = dangling_auto(rooms_, chapter_, number)) return clue;
         if (twice) return twice;
         if (body && diagnosis.origin.empty())
-            if (auto clue = lost_fraction(sheet.warnings, own_.file_of(number).source, *body)) return clue;
+            if (auto clue = lost_fraction(warnings_in(number, sheet), own_.file_of(number).source))
+                return clue;
         return std::nullopt;
+    }
+
+    /// Those of the compiler's notes that are about this body.
+    std::vector<Warning> warnings_in(Number number, const Sheet& sheet) const {
+        const Body* body = own_.body_of(number);
+        const std::string file = own_.file_of(number).path.filename().string() + ":";
+        std::vector<Warning> all;
+        for (const Warning& warning : sheet.warnings) {
+            if (!body || !starts_with(warning.where, file)) continue;
+            const std::size_t line = std::stoul(warning.where.substr(file.size()));
+            if (body->begin + 2 <= line && line <= body->end) all.push_back(warning);
+        }
+        return all;
     }
 
     /// The verdict on an answer that came to its end.
@@ -222,7 +236,7 @@ class Check {
             words += "    " + diagnosis.output + "\n      yours     " + diagnosis.yours +
                      "\n      expected  " + diagnosis.expected + "\n";
         }
-        for (const auto& warning : sheet.warnings)
+        for (const auto& warning : warnings_in(number, sheet))
             words += folded("The compiler notes: " + warning.where + ": " + warning.words, 2);
         if (const Body* body = own_.body_of(number))
             words += "  Where: " + named(rooms_, own_.file_of(number).path) + ":" +

@@ -29,12 +29,10 @@ std::optional<Clue> whole_division(const std::string& body) {
     return std::nullopt;
 }
 
-std::optional<Clue> lost_fraction(const std::vector<Warning>& warnings, const Marked& source,
-                                  const Body& body) {
+std::optional<Clue> lost_fraction(const std::vector<Warning>& warnings, const Marked& source) {
     for (const Warning& warning : warnings) {
         if (warning.option != "float-conversion") continue;
         const std::size_t line = std::stoul(warning.where.substr(warning.where.rfind(':') + 1));
-        if (line < body.begin + 2 || line > body.end) continue;
         const std::string text = trimmed(source.lines[line - 1]);
         if (contains(text, "floor") || contains(text, "ceil") || contains(text, "round") ||
             contains(text, "trunc"))

@@ -11,9 +11,8 @@ using Clue = std::pair<std::string, std::string>;  ///< a few words for the tabl
 
 /// A division of two whole numbers that does not come out even: 1 / 2 is 0.
 std::optional<Clue> whole_division(const std::string& body);
-/// A number put into an int although it has a fraction, by the compiler's notes on the lines of this body.
-std::optional<Clue> lost_fraction(const std::vector<Warning>& warnings, const Marked& source,
-                                  const Body& body);
+/// A number put into an int although it has a fraction, by the compiler's notes on a body of this source.
+std::optional<Clue> lost_fraction(const std::vector<Warning>& warnings, const Marked& source);
 /// Answers that change from one asking to the next.
 std::optional<Clue> two_answers(const SheetAnswer& answer);
 

@@ -113,9 +113,8 @@ TEST_CASE("A changed signature, a deleted function, a missing include, an empty 
                                                       "answers/01_newton/nutshell/game_loop.hpp"));
 }
 
-TEST_CASE("Fifty first errors of beginners are explained") {
+TEST_CASE("First errors of beginners are explained") {
     const Learner learner("beginners");
-    std::size_t explained = 0, all = 0;
     for (const auto& [number, expected, body] :
          answers_in(std::filesystem::path(CONFIG_COURSE) / "tests/judge/compile_errors.txt")) {
         const std::string before = learner.text(number);
@@ -126,9 +125,5 @@ TEST_CASE("Fifty first errors of beginners are explained") {
         CHECK(verdict.outcome == Outcome::not_compiled);
         CHECK_THAT(flat(verdict.words), ContainsSubstring(expected));
         is_plain(verdict);
-        explained += contains(flat(verdict.words), expected);
-        ++all;
     }
-    CHECK(all == 50);
-    CHECK(explained >= 45);
 }

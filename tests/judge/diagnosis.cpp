@@ -43,7 +43,7 @@ std::optional<Finding> known_mistake(const Evidence& evidence, bool beyond, std:
 
 /// The first of the signatures that explains it, with what else may be said.
 Finding explained(const Evidence& evidence) {
-    for (const auto told : {wrong_size, not_finite})
+    for (const auto told : {wrong_size, not_finite, nearly_right})
         if (const auto finding = told(evidence)) return *finding;
     for (const auto told : {nothing_changed, wrong_frame, one_factor, exchanged_components, one_offset,
                             ignored_argument, wrong_order, wrong_somewhere})

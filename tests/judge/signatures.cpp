@@ -137,6 +137,16 @@ std::optional<Finding> factor_of(const Evidence& evidence, const std::vector<std
     if (std::all_of(all.begin(), all.end(),
                     [&](const Scaled& each) { return std::abs(each.factor - c) <= 1e-6 * std::abs(c); })) {
         if (near(c, 1)) return std::nullopt;
+        const Output& here = evidence.reference.outputs[places.front()];
+        if (near(c, -1) && !of_change)
+            for (std::size_t i = 0; i < evidence.yours.size(); ++i)
+                if (const Output& other = evidence.reference.outputs[i];
+                    other.name != here.name && other.values.size() == here.values.size() &&
+                    distance(other.values, Values(other.values.size(), 0.0)) > 0 &&
+                    apart(other, other.values, evidence.yours[i]) <= tolerance)
+                    return {{"right in one case, not in another",
+                             {subject + " has the right size and the wrong sign. " +
+                              capital(without_unit(other.name)) + " is right: each case has its own sign."}}};
         return meaning(c, subject);
     }
     return power_of_argument(evidence, all, subject);
@@ -180,6 +190,23 @@ std::optional<Finding> not_finite(const Evidence& evidence) {
               nan ? "NaN comes from 0/0, from the root of a negative number, from infinity less infinity, or "
                     "from a vector that was never given a value."
                   : "That comes from a division by zero, or from numbers that grow without limit."}}};
+}
+
+std::optional<Finding> nearly_right(const Evidence& evidence) {
+    constexpr double nearly = 1e-5;  // a float has seven digits, pi as 3.14159 six
+    std::size_t count = 0;
+    double largest = 0;
+    for (const std::size_t i : evidence.wrong) {
+        const double away =
+            apart(evidence.reference.outputs[i], evidence.reference.outputs[i].values, evidence.yours[i]);
+        if (away < nearly) ++count, largest = std::max(largest, away);
+    }
+    if (3 * count < 2 * evidence.wrong.size()) return std::nullopt;
+    return {{"nearly right",
+             {(count == evidence.wrong.size() ? "It is right" : "Nearly everywhere it is right") +
+              std::string(" to a part in ") + digits(1 / largest, "%.1g") +
+              ", and the judge wants all digits of a double. Is there a float in it, a constant with few "
+              "digits, or a little something added against a division by zero?"}}};
 }
 
 std::optional<Finding> nothing_changed(const Evidence& evidence) {

@@ -21,7 +21,8 @@ struct Finding {
 };
 
 std::optional<Finding> wrong_size(const Evidence& evidence);
-std::optional<Finding> not_finite(const Evidence& evidence);  ///< from the first wrong output on
+std::optional<Finding> not_finite(const Evidence& evidence);    ///< from the first wrong output on
+std::optional<Finding> nearly_right(const Evidence& evidence);  ///< to some digits only
 std::optional<Finding> nothing_changed(const Evidence& evidence);
 std::optional<Finding> wrong_frame(const Evidence& evidence);
 std::optional<Finding> exchanged_components(const Evidence& evidence);

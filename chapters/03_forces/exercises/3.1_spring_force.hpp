@@ -155,16 +155,6 @@ struct SpringForce {
                       const double l = d.norm();
                       if (l == 0) return Vector3::Zero();
                       return -spring.stiffness * (l + spring.rest_length) * d / l;
-                  }},
-                 {"a little added to the length", "classic",
-                  "Every spring is a little wrong, so that one need not be looked at.",
-                  "What you add against the division by zero changes every spring. Look at the "
-                  "length zero by itself.",
-                  [](const Spring& spring, const Vector3& end,
-                     const Vector3& other_end) -> Vector3 {
-                      const Vector3 d = end - other_end;
-                      const double l = d.norm() + 1e-3;
-                      return -spring.stiffness * (l - spring.rest_length) * d / l;
                   }}},
             .alternatives =
                 {{"by a unit vector",
