@@ -126,7 +126,8 @@ std::string unknown_name(const std::string& name, const Reach& reach, const std:
     std::smatch found;
     if (std::regex_search(line, found, first) && found[2] == name)
         return "Nothing is called " + name + " yet: the first time, a variable needs its type in front: " +
-               (found[1].matched ? "int " : "const double ") + name + " = ...";
+               (found[1].matched ? "int " + name + " = ..."
+                                 : "double " + name + " = ..., or Vector3 " + name + " = ...");
     if (const std::string other = in(dictionary, name); !other.empty())
         return "Nothing is called " + name + " here. C++ has " + other + ".";
     for (const auto& member : reach.members)
