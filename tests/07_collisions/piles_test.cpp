@@ -65,7 +65,8 @@ TEST_CASE("One turn: it may take back what it gave, never pulls, and friction st
     gap.world.bodies[0].momentum.y() = -3;
     gap.turn(want);
     CHECK(gap.world.bodies[0].momentum.y() == near(-0.24, 1e-12));
-    // Sliding at 7 m/s (sticking would take 2 N s): friction is half of the normal impulse of 3 N s, against the sliding, and turns it.
+    // Sliding at 7 m/s (sticking would take 2 N s): friction is half of the normal impulse of 3 N s, against
+    // the sliding, and turns the ball.
     OneBall slides(0);
     slides.world.bodies[0].momentum = {7, -3, 0};
     slides.turn(want);
@@ -73,6 +74,28 @@ TEST_CASE("One turn: it may take back what it gave, never pulls, and friction st
     CHECK(slides.world.bodies[0].momentum.x() == near(5.5, 1e-14));
     CHECK(slides.world.bodies[0].angular_momentum.z() == near(-0.15, 1e-15));
     CHECK((slides.world.earth.momentum + slides.world.bodies[0].momentum - Vector3(7, -3, 0)).norm() < 1e-14);
+}
+
+TEST_CASE("One turn with levers: a rolling start sticks at once, a box on its corner stops closing in") {
+    const Press want{1 / 240.0, 0.5, 0, 0};
+    OneBall sticks(0);  // 1 m/s of sliding takes 2/7 N s: a ball answers there as 2/7 of its mass
+    sticks.world.bodies[0].momentum = {1, -3, 0};
+    sticks.turn(want);
+    CHECK(sticks.c.friction.x() == near(-2.0 / 7, 1e-14));
+    CHECK(contact_velocity(sticks.c, sticks.world.earth, sticks.world.bodies[0], sticks.earth, sticks.ball)
+              .norm() < 1e-14);
+    const Box cube{{0.5, 0.5, 0.5}};
+    Body earth = immovable_body(), box = solid_box(2, cube, {0, 0.5, 0});
+    box.momentum = {0, -2, 0};
+    PressedContact c{};
+    c.a = -1, c.b = 0;
+    const Mobility of_earth = mobility_of(earth), of_box = mobility_of(box);
+    prepare(c, {{0.5, 0, 0.5}, {0, 1, 0}, 0, 0}, earth, box, of_earth, of_box);
+    // 1/m + (r x n)^2/I with I = m/6: 1/2 + (1/4 + 1/4) 3 = 2 per kg
+    CHECK(c.normal_mass == near(0.5, 1e-15));
+    press(c, earth, box, of_earth, of_box, {1 / 240.0, 0, 0, 0});
+    CHECK(c.normal_impulse == near(0.5, 1e-15));
+    CHECK(c.normal.dot(contact_velocity(c, earth, box, of_earth, of_box)) == near(0, 1e-15));
 }
 
 TEST_CASE("Going round converges: the floor carries all ten boxes, each contact layer what is above it") {
@@ -192,7 +215,7 @@ TEST_CASE("The universe's bounces: each leaves with 0.9 of its speed, on time, b
                 evolve_mended(scene, ball, scene.dt);
             if (last < 0 && ball.momentum.y() > 0) {
                 ++bounces;
-                // the step loses up to g dt of speed before a bounce and after it; so the next n come 4 dt earlier each
+                // up to g dt of speed is lost before a bounce and after it: each next one is 4 dt earlier
                 CHECK(static_cast<double>(i) * scene.dt == near(at, 2 * scene.dt * bounces * bounces));
                 CHECK(ball.momentum.y() == near(speed, 2 * g * scene.dt * bounces));
                 at += 2 * speed / g, speed *= scene.restitution;

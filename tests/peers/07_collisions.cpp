@@ -1,6 +1,6 @@
 // Chapter 7's scenes S14 (stack) and S15 (pile) in Bullet and in our engine: how well, and how long a step of
 // a body takes. The two run in turn, step by step, in one process; the fastest of several runs counts.
-//   peers_07_collisions [--check] [--runs N] [--out DIR]    --check: fail where a bar is missed; --out: charts
+//   peers_07_collisions [--check] [--runs N] [--out DIR]    --check: fail where a bar is missed
 #include <btBulletDynamicsCommon.h>
 #include <cstdio>
 #include <cstring>
