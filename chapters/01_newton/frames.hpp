@@ -73,13 +73,13 @@ class Player {
     double time_ = 0, simulated_ = 0;
 };
 
-/// Plays the throw on a machine, and calls look(shown) for every frame.
-template <class Look>
-void play(const Machine& machine, const Look& look) {
+/// Plays the throw on a machine, and calls observe(shown) for every frame.
+template <class Observer>
+void play(const Machine& machine, const Observer& observe) {
     Player player;
-    look(player.shown());
+    observe(player.shown());
     for (const double frame : frame_times(machine, ThrownBall{}.duration))
-        look(player.frame(frame));
+        observe(player.frame(frame));
 }
 
 }  // namespace nutshell

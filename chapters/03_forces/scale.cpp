@@ -19,8 +19,9 @@ void draw_time_against_number(lab::Report& report, const std::vector<Kind>& kind
     chart::Chart chart;
     chart.title = "What one step of one particle costs";
     chart.subtitle =
-        "semi-implicit Euler in one pass, one core; down is better; dashed: the machine's floor "
-        "for each";
+        methods::semi_implicit_euler.name +
+        std::string(
+            " in one pass, one core; down is better; dashed: the machine's floor for each");
     chart.x = {"particles", chart::Scale::logarithmic};
     chart.y = {"time per particle-step [ns]", chart::Scale::logarithmic};
     for (const Kind& kind : kinds) {
@@ -39,10 +40,10 @@ void draw_time_against_number(lab::Report& report, const std::vector<Kind>& kind
 void draw_against_floor(lab::Report& report, const std::vector<Kind>& kinds) {
     chart::Chart chart;
     chart.title = "The same verbs, one pass";
-    chart.subtitle =
-        "semi-implicit Euler, one core: force, kick and drift one after the other, or all in one "
-        "pass over "
-        "memory";
+    chart.subtitle = methods::semi_implicit_euler.name +
+                     std::string(
+                         ", one core: force, kick and drift one after the other, or all in one "
+                         "pass over memory");
     chart.x = {"time per particle-step [ns]", chart::Scale::linear, 0};
     for (const Kind& kind : kinds)
         for (const std::size_t n : {std::size_t{1000}, std::size_t{1'000'000}}) {
