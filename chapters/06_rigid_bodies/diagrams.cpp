@@ -45,9 +45,8 @@ void pendulum_forces(lab::Report& report) {
     const double torque = scene(scene.start, 0).torque.z();
     Diagram d;
     d.title = "The weight turns the pendulum back";
-    d.subtitle =
-        "1 kg on a rod of 1 m, at 50°: τ = −m g r sin θ = " + lab::rounded(torque, "%.2f") +
-        " N m.";
+    d.subtitle = "1 kg on a rod of 1 m, at 50°: m g r sin θ = " + lab::rounded(-torque, "%.2f") +
+                 " N m, clockwise.";
     d.wall({0.25, 0}, {-0.25, 0});
     d.dashed({{0, 0}, {0, -1.15}});
     d.rod({0, 0}, {bob.x(), bob.y()}).ball({bob.x(), bob.y()}, 0.07);
@@ -59,7 +58,7 @@ void pendulum_forces(lab::Report& report) {
     report.number("diagram.pendulum.torque", torque, "N m");
 }
 
-/// Two particles of a body that spins about the vertical: what counts is the distance from the axis.
+/// A particle that goes round the upright axis: what counts is its distance from the axis.
 void particles(lab::Report& report) {
     const double degrees = 40, angle = degrees * pi / 180, r = 1;
     const Vector3 place = r * Vector3(std::cos(angle), std::sin(angle), 0), omega(0, 1, 0);
@@ -119,7 +118,7 @@ void there_and_back(lab::Report& report) {
 void parallel(lab::Report& report) {
     Diagram d;
     d.title = "The mixed terms cancel, two squares remain";
-    d.subtitle = "A particle seen from the centre of mass C and from a point A.";
+    d.subtitle = "A particle seen from the centre of mass and from a point A.";
     const chart::Place centre{0, 0}, point{-1.3, -0.35}, particle{0.45, 0.35};
     d.polygon({{-0.9, -0.5},
                {0.1, -0.75},
@@ -134,7 +133,6 @@ void parallel(lab::Report& report) {
     d.arrow(centre, {particle.x - centre.x, particle.y - centre.y}, Quantity::plain, "x");
     d.arrow(point, {centre.x - point.x, centre.y - point.y}, Quantity::plain, "c");
     d.note({point.x - 0.1, point.y - 0.12}, "A");
-    d.note({0.1, -0.16}, "C");
     chart::write_svg(d, report.path("parallel.svg"));
 }
 

@@ -10,7 +10,8 @@ namespace nutshell {
 
 namespace {
 
-/// The tip if the model knows the centre only, and the thing keeps the pose in which it was thrown.
+/// The tip if the model knows the centre only, and the thing keeps the pose in which it was
+/// thrown.
 Vector3 as_a_point(const ThrownThing& scene, double t) {
     Body body = scene.start;
     body.position = scene.exact(t).position;

@@ -24,7 +24,8 @@ void one(lab::Report& report, lab::Table& table, const Lever& lever) {
     if (lever.imbalance() != 0) report.number(key + ".falls", lever.duration, "s");
 }
 
-/// The work of the torque of the weights, summed over small turns, against the energy of rotation.
+/// The work of the torque of the weights, summed over small turns, against the energy of
+/// rotation.
 void work(lab::Report& report, const Lever& lever) {
     const int pieces = 1000;
     double sum = 0;

@@ -1,4 +1,5 @@
-// The picture of chapter 6's question, and the stills of its moving figures, those of both halves.
+// The picture of chapter 6's question, and the stills of its moving figures, those of both
+// halves.
 #include <nutshell/live/stills.hpp>
 #include <nutshell/pendulum_scenes.hpp>
 #include <nutshell/picture/picture.hpp>
@@ -30,8 +31,8 @@ void question(lab::Report& report) {
         }
         add_bob(drawing, left, bob.start.orientation, 1, pic::palette::body);
         add_heavy_rod(drawing, right, rod.start.orientation, 1, pic::palette::gold);
-        drawing.add(pic::Label{.at = {0.5, 0.14, 0}, .text = "a bob of 1 kg on a thin rod"});
-        drawing.add(pic::Label{.at = {2.1, 0.14, 0}, .text = "a rod of 1 kg"});
+        drawing.add(pic::Label{.at = {0.5, 0.14, 0}, .text = "bob, 1 kg"});
+        drawing.add(pic::Label{.at = {2.1, 0.14, 0}, .text = "rod, 1 kg"});
         return pic::Shot{
             drawing, pic::fit(drawing, {0.1, 0.1, 1}, {840, 400}, {.margin = 0.05}), {840, 400}};
     });

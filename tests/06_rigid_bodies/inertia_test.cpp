@@ -11,7 +11,7 @@ namespace {
 const double epsilon = std::numeric_limits<double>::epsilon();
 const Matrix3 tilted = rotation_matrix(exponential(Vector3(0.3, -1.1, 0.7)));
 
-/// What a slice across z, one kilogram a square metre, has: its area, and the integrals of x^2 and y^2 over it.
+/// A slice across z, one kilogram a square metre: its area, and the integrals of x^2 and y^2 over it.
 struct Slice {
     double area, xx, yy;
 };

@@ -93,8 +93,8 @@ TEST_CASE(
 }
 
 TEST_CASE("Kahan-Li's method swings a pinned body at order 8") {
-    // At half a radian its error is a pure eighth power from 80 steps on; with 160 it is 2e-12, a hundred times
-    // what 160 steps of round-off leave.
+    // At half a radian its error is a pure eighth power from 80 steps on; with 160 it is 2e-12, a
+    // hundred times what 160 steps of round-off leave.
     for (const Pendulum& scene : {rod_pendulum(0.5), compound_pendulum(0.5)})
         CHECK_THAT(errors_of(scene, methods::kahan_li8, {80, 120, 160}), HasOrder(8));
 }

@@ -1,4 +1,5 @@
-// Exercise 6.3: the inertia of a turned body in the world's axes, which the source leaves unturned.
+// Exercise 6.3: the inertia of a turned body in the world's axes, which the source leaves
+// unturned.
 #pragma once
 #include <nutshell/inertia.hpp>
 #include <nutshell/rotations.hpp>

@@ -96,7 +96,7 @@ struct InertiaAbout {
                   }}},
             .alternatives = {{"by the inertia about the origin, there and back",
                               [](const MassProperties& body, const Vector3& point) -> Matrix3 {
-                                  // about the origin; then the first moment of the mass about the point
+                                  // about the origin first; then to the point
                                   const Matrix3 origin =
                                       body.inertia + steiner(body.mass, body.centre);
                                   const Vector3 c = body.centre, p = point;

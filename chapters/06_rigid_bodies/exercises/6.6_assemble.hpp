@@ -1,4 +1,5 @@
-// Exercise 6.6: mass, centre and inertia of a whole, where the source's sum of bodies slips thrice.
+// Exercise 6.6: mass, centre and inertia of a whole, where the source's sum of bodies slips
+// thrice.
 #pragma once
 #include <nutshell/assembly.hpp>
 #include <nutshell/rotations.hpp>

@@ -1,4 +1,5 @@
-// A hammer thrown end over end: one point of it flies a parabola, and the head's material says which.
+// A hammer thrown end over end: one point of it flies a parabola, and the head's material says
+// which.
 #include <nutshell/live/figure.hpp>
 #include <nutshell/thrown_scenes.hpp>
 #include "../lever_drawings.hpp"

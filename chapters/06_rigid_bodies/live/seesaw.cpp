@@ -1,4 +1,5 @@
-// A seesaw with a child and a grown-up, whose seat is in the reader's hand: weights, arms, torque.
+// A seesaw with a child and a grown-up, whose seat is in the reader's hand: weights, arms,
+// torque.
 #include <nutshell/lever_scenes.hpp>
 #include <nutshell/live/figure.hpp>
 #include "../lever_drawings.hpp"
