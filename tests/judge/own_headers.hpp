@@ -1,4 +1,5 @@
-// A learner's headers of one chapter as they stand: what their text alone tells, and what is compiled of them.
+// A learner's headers of one chapter as they stand: what their text alone tells, and what is compiled of
+// them.
 #pragma once
 #include <optional>
 #include <string>
