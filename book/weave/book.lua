@@ -188,6 +188,7 @@ function Pandoc()
     Errata.load()
     for _, page in ipairs(Book.pages) do Labels.number(page) end
     Labels.one_example_a_chapter()
+    for _, page in ipairs(Book.pages) do Page.minutes(page) end
     for _, page in ipairs(Book.pages) do weave(page) end
     check_links()
     Errata.check_pages()

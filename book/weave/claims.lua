@@ -11,7 +11,8 @@ local Claims = {rows = {}}
 local comparing = {}
 for word in ([[better worse best worst faster slower fastest slowest cheaper cheapest dearer fewer fewest less least more most larger largest
     smaller smallest higher highest lower lowest nearer farther farthest finer coarser steeper longer longest shorter shortest twice thrice
-    never always doubles halves outperforms exactly identical]]):gmatch("%S+") do comparing[word] = true end
+    never always doubles halves outperforms exactly identical greater greatest bigger biggest stronger strongest weaker weakest closer closest
+    steepest shallower tighter earlier sooner quicker lighter heavier shorten simpler harder easier poorer richer]]):gmatch("%S+") do comparing[word] = true end
 
 local tests
 local function test_exists(name)
@@ -106,13 +107,17 @@ end
 
 local function sentence(page, parts)
     local text, behind, compares, given = "", {}, nil, false
+    local before = ""                                       -- "chapter 3", "exercise 3.7", "RK4" count nothing
     for _, p in ipairs(parts) do
         text = text .. p.text
         if p.behind then behind[#behind + 1] = p.behind end
         if p.plain then
             local word = p.text:lower():gsub("^%p+", ""):gsub("%p+$", "")
             compares = compares or comparing[word] and word
-            given = given or p.text:find("%d")
+            local names = before:lower():find("^%p*chapters?$") or before:lower():find("^%p*exercises?$") or p.text:find("^%p*%a+%d")
+                or p.text:find("^%p*%d%u%p*$") or p.text:find("^%(%d+%*?%)")
+            given = given or p.text:find("%d") and not names
+            before = p.text
         end
     end
     text = text:gsub("%s+", " "):match("^%s*(.-)%s*$")

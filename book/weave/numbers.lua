@@ -75,6 +75,11 @@ local function take(page, spec, at)
     local full = table.remove(words, 1) or ""
     local chapter, name = full:match("^([^/]+)/(.+)$")
     if not chapter then chapter, name = page.results, full end
+    if full:find("^page%.") then                         -- the page's own: how long it takes
+        local minutes = page.minutes and page.minutes[full:sub(6)]
+        if not minutes then return complain("a page knows page.reading and page.exercises, in minutes") end
+        return {sign = "", digits = tostring(minutes), unit = table.concat(words, " "):gsub("^%%d%s*", ""), title = "reckoned from the page"}
+    end
     if not chapter then return complain("this page is no chapter: say whose number, 01_newton/" .. full) end
     local t = Numbers.load(chapter)
     if t.missing then                                    -- once is enough

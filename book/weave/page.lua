@@ -118,25 +118,41 @@ local function question_of(page)
     return asked
 end
 
---- How long it takes, in half hours: 180 words and a fifth of a picture a minute, twelve minutes an exercise.
-local function hours_of(page)
-    local words, pictures, exercises = 0, 0, 0
+--- How long reading and exercises take, in minutes; HOWTO.md says how it is reckoned. Asked before the page is woven.
+function Page.minutes(page)
+    if page.minutes then return page.minutes end
+    local reading, exercises = 0, 0
     page.doc:walk {
-        Str = function() words = words + 1 end,
-        Image = function() pictures = pictures + 1 end,
-        Div = function(d) if d.identifier:find("^ex:") then exercises = exercises + 1 end end,
+        Str = function(s) if s.text:find("%a") then reading = reading + 1 / 200 end end,
+        Image = function() reading = reading + 1 / 2 end,
+        Math = function(m) if m.mathtype == "DisplayMath" then reading = reading + 1 / 3 end end,
+        Div = function(d) if d.classes:includes("predict") then reading = reading + 1 / 2 end end,
+        CodeBlock = function(b)
+            if not b.attributes.region then return end
+            local lines, bodies = Regions.lengths(b.attributes.region)
+            reading = reading + lines / 30
+            for _, body in pairs(bodies) do exercises = exercises + 3 + body end
+        end,
     }
-    local halves = math.max(1, math.floor((words / 180 + pictures * 5 + exercises * 12) / 30 + 0.5))
+    local function round(minutes) return 5 * math.ceil(minutes / 5 - 0.2) end
+    page.minutes = {reading = round(reading), exercises = round(exercises)}
+    return page.minutes
+end
+
+local function hours_of(page)
+    local minutes = Page.minutes(page)
+    local halves = math.max(1, math.floor((minutes.reading + minutes.exercises) / 30 + 0.5))
     local whole = halves // 2
     return "about " .. (whole > 0 and whole or "") .. (halves % 2 == 1 and "½" or "") .. (halves <= 2 and " hour" or " hours")
 end
 
---- Its first picture, small; nothing where none was drawn.
+--- Its picture with the class `thumb`, else its first, small; nothing where none was drawn.
 local function thumbnail_of(page)
     local found = ""
+    local chosen = page.text:match("%(([%w_]+)%.png%){[^}]*%.thumb[^}]*}")
     page.doc:walk {Image = function(i)
         local stem = found == "" and i.src:match("^([%w_]+)%.png$")
-        if not stem then return end
+        if not stem or (chosen and stem ~= chosen) then return end
         local from, to = Book.results .. "/" .. page.results .. "/" .. stem, "pictures/" .. page.results .. "/" .. stem
         local light, dark = Page.read(from .. ".1.jpg", true), Page.read(from .. ".1.dark.jpg", true)
         if not light or not dark then return end

@@ -53,6 +53,20 @@ function Regions.exercises(spec)
     return found, path
 end
 
+--- How many lines "path#name" quotes without the exercises' bodies in it, and how many each body has. Silent.
+function Regions.lengths(spec)
+    local path, name = spec:match("^([^#]+)#(.+)$")
+    local file = load(path or spec)
+    local region = file and (name and file.regions[name] or not name and {first = 1, last = #file.lines})
+    if not region or not region.last then return 0, {} end
+    local lines, bodies = region.last - region.first + 1, {}
+    for id, body in pairs(Regions.exercises(spec)) do
+        bodies[id] = body.last - body.first + 1
+        lines = lines - bodies[id] - 1
+    end
+    return lines, bodies
+end
+
 --- What "path#name" quotes, its indent taken away; nil after a complaint.
 --- text: all of it; yours: with the bodies of the exercises in `closed` (a set of ids) taken out, nil if there are none.
 function Regions.take(page, spec, closed)

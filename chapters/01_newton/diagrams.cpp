@@ -37,6 +37,30 @@ void throw_forces(lab::Report& report) {
     chart::write_svg(d, report.path("throw_forces.svg"));
 }
 
+/// The chapter's question: one throw as three machines draw it, each picture a step.
+void question(lab::Report& report) {
+    const ThrownBall scene;
+    const double shown = 0.25;  // [s]
+    chart::Diagrams all;
+    all.title = "One throw, three machines: do they agree where it lands?";
+    all.subtitle =
+        "The ball at every picture of its first quarter of a second, each one step of "
+        "physics after the last.";
+    for (const int rate : {30, 60, 144}) {
+        chart::Diagram d;
+        d.title = std::to_string(rate) + " pictures a second";
+        for (int i = 0; i <= static_cast<int>(shown * rate); ++i)
+            d.ball(seen(scene.exact(static_cast<double>(i) / rate).position), 0.07);
+        d.arrow(seen(scene.start.position), seen(scene.start.velocity, 0.1),
+                chart::Quantity::velocity, "v");
+        d.wall({-0.3, -0.12}, {3.6, -0.12});
+        d.note({3.1, 0.3}, "?");
+        all.panels.push_back(d);
+    }
+    all.width = 860;
+    chart::write_svg(all, report.path("question.svg"));
+}
+
 /// The planet at four places of its ellipse: the force points at the sun and is strong near it.
 void planet_forces(lab::Report& report) {
     const Planet scene;
@@ -139,6 +163,7 @@ void landing(lab::Report& report) {
 }  // namespace
 
 void diagrams(lab::Report& report) {
+    question(report);
     throw_forces(report);
     planet_forces(report);
     tilted_ellipse(report);

@@ -58,7 +58,7 @@ void conservation(lab::Report& report) {
     lab::Table data{{"orbits", "method", "energy_change", "angular_momentum_change"}, {}};
     chart::Chart energy;
     energy.title = "Euler's energy jumps away; the other two come back";
-    energy.subtitle = "Planet, e = 0.6, " + std::to_string(steps_an_orbit) + " steps a year.";
+    energy.subtitle = "Planet, ε = 0.6, " + std::to_string(steps_an_orbit) + " steps a year.";
     energy.x = {"years", chart::Scale::linear, 0, 5};
     energy.y = {"relative change of the energy", chart::Scale::linear, -0.1, 0.5};
     energy.cut = true;
@@ -92,7 +92,7 @@ void orders(lab::Report& report) {
                       {"order by error after whole orbits", "%.3f"}},
                      {}};
     chart::Chart chart;
-    chart.title = "A first-order method in a second-order coat";
+    chart.title = "Semi-implicit Euler: first order on the way, second at the end";
     chart.subtitle =
         "Planet, one orbit: the largest error on the way, and the error at the end of the orbit.";
     chart.x = {"step dt [year/2π]", chart::Scale::logarithmic};
@@ -128,7 +128,7 @@ void cost(lab::Report& report) {
     const auto [least, curves] =
         lab::study(report, scene, newton_methods,
                    {.key = "planet",
-                    .scene = "Planet, e = 0.6, " + lab::rounded(scene.orbits) + " orbits.",
+                    .scene = "Planet, ε = 0.6, " + lab::rounded(scene.orbits) + " orbits.",
                     .behind = "Verlet's error falls twice as steeply",
                     .guides = {-1, -2},
                     .steps = {300, 600, 1200, 2400, 4800, 9600, 19200, 38400, 76800},

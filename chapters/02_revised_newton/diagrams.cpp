@@ -19,6 +19,35 @@ std::string signed_words(double value) {
     return (value < 0 ? "−" : "") + lab::rounded(std::abs(value));
 }
 
+/// The chapter's question: the cart at the start and at the end, and a speed that is asked for.
+void question(lab::Report& report) {
+    const LeakyCart scene;
+    const double metres_a_speed = 0.16;
+    chart::Diagrams all;
+    all.title = "Half of the cart's mass runs out. How fast is it then?";
+    all.subtitle = "A frozen lake: no drag, no push. Blue: the velocity.";
+    for (const double t : {0.0, scene.duration}) {
+        const bool first = t == 0;
+        chart::Diagram d;
+        d.title = first ? "at the start" : lab::rounded(t) + " s later";
+        const double load = 0.9 * (scene.mass(t) - 0.5);  // what the cart holds, as a height
+        d.wall({-1.4, -0.72}, {2.4, -0.72});
+        d.ball({-0.55, -0.52}, 0.2).ball({0.55, -0.52}, 0.2);
+        d.polygon({{-0.9, -0.3}, {0.9, -0.3}, {0.9, load - 0.3}, {-0.9, load - 0.3}});
+        for (int grain = 1; grain <= 3; ++grain) d.ball({0, -0.3 - 0.1 * grain}, 0.03);
+        d.note({-0.3, load / 2 - 0.3}, lab::rounded(scene.mass(t)) + " kg");
+        const double speed = velocity(scene.start).norm();
+        if (first)
+            d.arrow({0.9, 0.25}, {metres_a_speed * speed, 0}, chart::Quantity::velocity,
+                    lab::rounded(speed) + " m/s");
+        else
+            d.note({1.2, 0.1}, "? m/s");
+        all.panels.push_back(d);
+    }
+    all.width = 860;
+    chart::write_svg(all, report.path("question.svg"));
+}
+
 /// One parcel leaves the rocket: the momenta before and after, and their sums.
 void exchange_of_momentum(lab::Report& report) {
     Rocket scene;
@@ -81,6 +110,7 @@ void ring_forces(lab::Report& report) {
 }  // namespace
 
 void diagrams(lab::Report& report) {
+    question(report);
     exchange_of_momentum(report);
     ring_forces(report);
 }

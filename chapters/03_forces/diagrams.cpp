@@ -1,7 +1,9 @@
 // Free-body diagrams of chapter 3, with the scenes' own numbers: spring, drag, a mass of a chain.
 #include <nutshell/chart/diagram.hpp>
+#include <nutshell/forces_methods.hpp>
 #include <nutshell/forces_scenes.hpp>
 #include <nutshell/hanging_chain.hpp>
+#include <nutshell/lab/looks.hpp>
 #include "program.hpp"
 
 namespace nutshell {
@@ -104,6 +106,8 @@ void diagrams(lab::Report& report) {
     spring_forces(report);
     drag_forces(report);
     chain_forces(report);
+    chart::write_svg(lab::looks(forces_methods, "Methods that move points: chapters 1 to 3"),
+                     report.path("methods.svg"));
 }
 
 }  // namespace nutshell

@@ -31,8 +31,7 @@ void slowing_down(lab::Report& report) {
     };
     chart::Figure figure;
     figure.title = "The longer the step, the more Euler's drag turns the body round";
-    figure.subtitle =
-        "The velocity of a body that only drag slows, over its start; x = γ dt/m. Pale: exact.";
+    figure.subtitle = "The velocity of a body that only drag slows, over its start. Pale: exact.";
     lab::Table data{{"method", "x", "step", "velocity"}, {}};
     const auto follow = [&](chart::Chart& chart, const auto& method, double x) {
         chart::Series series = chart::series_of(method, chart::Draw::line_and_marks);
@@ -54,10 +53,10 @@ void slowing_down(lab::Report& report) {
         chart.series.push_back(std::move(exact));
         return chart;
     };
-    chart::Chart small = panel("x = 0.5: slows down, a little too fast", 0.5);
-    chart::Chart middle = panel("x = 1.5: turned round in every step", 1.5);
-    chart::Chart large = panel("x = 2.5: drag makes it faster and faster", 2.5);
-    chart::Chart stale = panel("x = 1.1, drag of the step before: grows too", 1.1);
+    chart::Chart small = panel("ν dt = 0.5: slows down, a little too fast", 0.5);
+    chart::Chart middle = panel("ν dt = 1.5: turned round in every step", 1.5);
+    chart::Chart large = panel("ν dt = 2.5: drag makes it faster and faster", 2.5);
+    chart::Chart stale = panel("ν dt = 1.1, drag of the step before: grows too", 1.1);
     follow(small, methods::euler, 0.5);
     follow(middle, methods::euler, 1.5);
     follow(large, methods::euler, 2.5);

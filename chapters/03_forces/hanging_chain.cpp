@@ -94,6 +94,46 @@ void draw_chain(lab::Report& report, const Particles& hung, const HangingChain& 
               });
 }
 
+/// The chain let go in a straight line, at five instants: one camera, one scale.
+void draw_falling_chain(lab::Report& report, SpringNet net, double dt) {
+    const Vector3 lift(0, 1.75, 0);  // [m]
+    std::vector<pic::Drawing> instants;
+    for (const double t : {0.0, 0.15, 0.3, 0.6, 5.0}) {
+        net.duration = t;
+        const Particles now =
+            t == 0 ? net.start : lab::run(net, methods::semi_implicit_euler, std::lround(t / dt));
+        pic::Drawing drawing;
+        for (const std::size_t i : {std::size_t{0}, now.size() - 1}) {
+            const Vector3 end = now.position[i] + lift;
+            drawing.add(pic::Rod{.from = {end.x(), 0, 0}, .to = end, .radius = 0.05});
+        }
+        for (std::size_t i = 0; i + 1 < now.size(); ++i)
+            drawing.add(pic::Rod{.from = now.position[i] + lift,
+                                 .to = now.position[i + 1] + lift,
+                                 .radius = 0.025});
+        for (std::size_t i = 1; i + 1 < now.size(); ++i)
+            drawing.add(pic::Ball{.centre = now.position[i] + lift,
+                                  .radius = 0.08,
+                                  .colour = pic::palette::symplectic});
+        drawing.title(lab::rounded(t) + " s");
+        instants.push_back(drawing);
+    }
+    const pic::Size size{400, 420};
+    const pic::Camera camera = pic::fit(instants.back(), {0.12, 0.16, 1}, size, {.margin = 0.06});
+    pic::save(report.path("chain_falls.png"),
+              {report.command(),
+               "hanging chain, 11 masses, 12 links, let go in a straight line",
+               "semi-implicit Euler",
+               lab::rounded(dt, "%g s"),
+               {}},
+              [&]() -> pic::Sheet {
+                  std::vector<pic::Shot> shots;
+                  for (const pic::Drawing& drawing : instants)
+                      shots.push_back({drawing, camera, size});
+                  return {shots, static_cast<int>(shots.size())};
+              });
+}
+
 }  // namespace
 
 void hanging_chain(lab::Report& report) {
@@ -122,6 +162,7 @@ void hanging_chain(lab::Report& report) {
                " m from the exact rest shape, " + lab::rounded(gap(chain, cord_of(chain))) +
                " m from the elastic catenary, " + lab::rounded(cosh_gap) + " m from the cosh");
     draw_chain(report, hung, chain, error, cosh_gap, net.duration / steps);
+    draw_falling_chain(report, net, net.duration / steps);
 
     chart::Chart chart;
     chart.title = "With more links: the elastic catenary, not the cosh";

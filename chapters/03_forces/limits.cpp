@@ -11,7 +11,7 @@ namespace {
 /// The four scenes of the table; a limit is shown as omega dt, for drag alone as gamma dt/m.
 struct Column {
     const char* key;
-    double omega, g;
+    double omega, nu;
 };
 const Column columns[] = {
     {"undamped", 1, 0}, {"damped", 1, 0.2}, {"overdamped", 1, 4}, {"drag", 0, 1}};
@@ -25,15 +25,15 @@ void limits_table(lab::Report& report) {
     each_limit([&](const auto& method, const OnSpring& theory) {
         std::vector<lab::Cell> cells{method.name};
         for (const Column& c : columns) {
-            const double predicted = theory.limit(c.omega, c.g);
+            const double predicted = theory.limit(c.omega, c.nu);
             cells.push_back(predicted);
             if (predicted == 0 || !std::isfinite(predicted)) {
                 cells.push_back("");
                 continue;
             }
-            const long steps = std::max(30'000L, theory.steps_to_grow(3e3, c.omega, c.g));
+            const long steps = std::max(30'000L, theory.steps_to_grow(3e3, c.omega, c.nu));
             const auto stable = [&](double dt) {
-                return lab::stays_within(spring_of(c.omega, c.g), method, dt, steps, 1000,
+                return lab::stays_within(spring_of(c.omega, c.nu), method, dt, steps, 1000,
                                          [](const auto& s) { return size_of(s); });
             };
             const double found =
@@ -115,7 +115,7 @@ void general_regions(lab::Report& report) {
 }
 
 /// The same for kick-and-drift methods: z and its mirror image are the two rates of a damped
-/// spring with omega dt = |z| and g dt = -2 Re z; the value is the largest eigenvalue of one
+/// spring with omega dt = |z| and nu dt = -2 Re z; the value is the largest eigenvalue of one
 /// step, less 1.
 template <class Method>
 chart::Region spring_region(const Method& method) {
@@ -139,7 +139,7 @@ chart::Region spring_region(const Method& method) {
     return region;
 }
 
-/// A border given as theta = omega dt for each G = g dt, drawn where the spring is underdamped.
+/// A border given as theta = omega dt for each nu dt, drawn where the spring is underdamped.
 template <class Theta>
 chart::Series spring_border(double most_drag, const Theta& theta) {
     chart::Series line;

@@ -11,11 +11,11 @@
 
 namespace nutshell {
 
-/// 1 kg on a spring with omega [rad/s] and g = gamma/m [1/s], or with drag alone (omega = 0);
+/// 1 kg on a spring with omega [rad/s] and nu = gamma/m [1/s], or with drag alone (omega = 0);
 /// started so that every mode takes part.
-inline MassOnSpring spring_of(double omega, double g) {
+inline MassOnSpring spring_of(double omega, double nu) {
     MassOnSpring scene;
-    scene.stiffness = omega * omega, scene.drag = g;
+    scene.stiffness = omega * omega, scene.drag = nu;
     scene.start = {1, {1, 0, 0}, {0.7, 0, 0}};
     return scene;
 }
@@ -37,8 +37,8 @@ std::optional<Vector3>& kept_force(Composed<KeptVerlet<Vector3>, Count>& step) {
 
 /// One step on a spring as a matrix on (x, v), and on the force where the method keeps one.
 template <class Method>
-Eigen::MatrixXd spring_matrix(const Method& method, double omega, double g, double dt) {
-    const MassOnSpring scene = spring_of(omega, g);
+Eigen::MatrixXd spring_matrix(const Method& method, double omega, double nu, double dt) {
+    const MassOnSpring scene = spring_of(omega, nu);
     constexpr bool keeps = requires {
         kept_force(std::declval<decltype(method.start(scene))&>());
     };
@@ -53,16 +53,16 @@ Eigen::MatrixXd spring_matrix(const Method& method, double omega, double g, doub
 }
 
 /// The limit by the largest eigenvalue of that matrix: 0 if no step is stable, infinite if all
-/// are to 300/(omega + g). (Far beyond, a composition's steps back overflow.)
+/// are to 300/(omega + nu). (Far beyond, a composition's steps back overflow.)
 template <class Method>
-double limit_by_eigenvalue(const Method& method, double omega, double g) {
+double limit_by_eigenvalue(const Method& method, double omega, double nu) {
     if (omega > 0 && omega != 1)  // in units of 1/omega, in which the matrix is well scaled
-        return limit_by_eigenvalue(method, 1, g / omega) / omega;
+        return limit_by_eigenvalue(method, 1, nu / omega) / omega;
     constexpr double slack = 2e-11;  // eigenvalues 1e-5 apart are known no better
-    const double smallest = 0.005 / (omega + g);
+    const double smallest = 0.005 / (omega + nu);
     const double limit = first_limit(
         [&](double dt) {
-            return 1 + slack - lab::spectral_radius(spring_matrix(method, omega, g, dt));
+            return 1 + slack - lab::spectral_radius(spring_matrix(method, omega, nu, dt));
         },
         smallest, 60'000);
     return limit < smallest ? 0 : limit;
@@ -70,26 +70,26 @@ double limit_by_eigenvalue(const Method& method, double omega, double g) {
 
 /// What theory knows of a method on one spring.
 struct OnSpring {
-    std::function<double(double omega, double g)> limit;  ///< the largest stable step [s]
-    std::function<Eigen::MatrixXd(double omega, double g, double dt)> matrix;  ///< of one step
+    std::function<double(double omega, double nu)> limit;  ///< the largest stable step [s]
+    std::function<Eigen::MatrixXd(double omega, double nu, double dt)> matrix;  ///< of one step
 
     /// What one step of `dt` multiplies the fastest growing error by.
-    double growth(double omega, double g, double dt) const {
-        return lab::spectral_radius(matrix(omega, g, dt));
+    double growth(double omega, double nu, double dt) const {
+        return lab::spectral_radius(matrix(omega, nu, dt));
     }
     /// So many steps at 1.01 of the limit let an error grow so many times.
-    long steps_to_grow(double times, double omega, double g) const {
+    long steps_to_grow(double times, double omega, double nu) const {
         return std::lround(
-            std::ceil(std::log(times) / std::log(growth(omega, g, 1.01 * limit(omega, g)))));
+            std::ceil(std::log(times) / std::log(growth(omega, nu, 1.01 * limit(omega, nu)))));
     }
 };
 
-using Limit = std::function<double(double omega, double g)>;
+using Limit = std::function<double(double omega, double nu)>;
 
 /// The limits that have a closed form, by method.
 inline const std::map<std::string, Limit>& closed_forms() {
     const auto general = [](Complex (*stability)(Complex)) -> Limit {
-        return [=](double omega, double g) { return general_limit(stability, omega, g); };
+        return [=](double omega, double nu) { return general_limit(stability, omega, nu); };
     };
     static const std::map<std::string, Limit> forms{
         {methods::euler.name, euler_limit},
@@ -115,11 +115,11 @@ void each_limit(const Visit& visit) {
     each(std::tuple_cat(kick_and_drift_methods, general_methods), [&](const auto& method) {
         const auto form = closed_forms().find(method.name);
         const Limit limit =
-            form != closed_forms().end() ? form->second : Limit([&](double omega, double g) {
-                return limit_by_eigenvalue(method, omega, g);
+            form != closed_forms().end() ? form->second : Limit([&](double omega, double nu) {
+                return limit_by_eigenvalue(method, omega, nu);
             });
-        visit(method, OnSpring{limit, [&](double omega, double g, double dt) {
-                                   return spring_matrix(method, omega, g, dt);
+        visit(method, OnSpring{limit, [&](double omega, double nu, double dt) {
+                                   return spring_matrix(method, omega, nu, dt);
                                }});
     });
 }

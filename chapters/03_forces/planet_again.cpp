@@ -34,12 +34,13 @@ void planet_again(lab::Report& report) {
         clock_entry(methods::logarithmic_leapfrog,
                     times_orbits({10, 20, 50, 100, 500, 2000, 5000})),
         clock_entry(methods::logarithmic_leapfrog8, times_orbits({4, 6, 8, 12, 16, 20, 30}))};
-    const lab::Plan plan{.key = "planet",
-                         .scene = "Planet, e = 0.6, " + lab::rounded(orbits) + " orbits.",
-                         .behind = "A clock that runs with the planet beats any order",
-                         .guides = {-2, -4, -8},
-                         .fewest = 50,
-                         .most = 500'000};
+    const lab::Plan plan{
+        .key = "planet",
+        .scene = "Planet, e = 0.6, " + lab::rounded(orbits) + " orbits.",
+        .behind = "A clock that runs with the planet wins; its order decides by how much",
+        .guides = {-2, -4, -8},
+        .fewest = 50,
+        .most = 500'000};
     auto [least, curves] = lab::measured(scene, list, plan);
     lab::report_least(report, plan.key, least, scene.need);
     curves.push_back(

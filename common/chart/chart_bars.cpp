@@ -70,9 +70,9 @@ std::string draw_bars(const Chart& chart, double& width, double& height, double 
         const double x = frame.x(bar.floor);
         out += "<path class='floor' d='" +
                path({{{x, middle - thick / 2 - 4}, {x, middle + thick / 2 + 4}}}) + "'><title>" +
-               escaped(bar.name + ": the machine's floor, " + spoken(bar.floor)) + "</title></path>\n";
+               escaped(bar.name + ": the machine's reference, " + spoken(bar.floor)) + "</title></path>\n";
         if (!floor_named) {
-            const std::string words = "the machine\u2019s floor";
+            const std::string words = "the machine\u2019s reference";
             const double half = text_width(words, note_size) / 2;
             out += draw_text("note", std::clamp(x, 8 + half, width - 8 - half), frame.plot.top - 6, words,
                              "middle");

@@ -163,6 +163,8 @@ std::string draw_guides(const Chart& chart, const Frame& frame, Obstacles& obsta
                        frame.plot.top + 4 + (frame.plot.height() - fan.height() - 8) * i / places,
                        fan.width(), fan.height()));
     const Box place = candidates[freest(candidates, obstacles)];
+    constexpr double crowded = 120;  // px of other lines across the fan: it would be read as one of them
+    if (obstacles.clutter(place) > crowded) return "";
     obstacles.boxes.push_back(place);
     const Point apex{place.left, place.top - fan.top};
     std::string out = "<g class='guide'>\n<path d='";

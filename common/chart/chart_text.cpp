@@ -72,13 +72,14 @@ std::vector<std::string> wrapped(std::string_view utf8, double size, double widt
 }
 
 std::vector<std::string> balanced(std::string_view utf8, double size, double width) {
-    auto lines = wrapped(utf8, size, width);
     double longest_word = 0;
     for (std::size_t start = 0; start < utf8.size();) {
         const std::size_t end = std::min(utf8.find(' ', start), utf8.size());
         longest_word = std::max(longest_word, text_width(utf8.substr(start, end - start), size));
         start = end + 1;
     }
+    width = std::max(width, std::min(longest_word, 1.5 * width));  // rather a little wider than a broken word
+    auto lines = wrapped(utf8, size, width);
     for (double narrower = width - 4; narrower >= longest_word; narrower -= 4) {
         auto tried = wrapped(utf8, size, narrower);
         if (tried.size() > lines.size()) break;

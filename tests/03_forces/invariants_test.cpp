@@ -1,5 +1,6 @@
 // Chapter 3: what each method does to an undamped spring in one step, exactly. A wrong coefficient or a stale
 // force fails here.
+#include <complex>
 #include <nutshell/forces_methods.hpp>
 #include <nutshell/forces_scenes.hpp>
 #include <nutshell/stability_limits.hpp>
@@ -56,6 +57,25 @@ TEST_CASE("the table's factors of the squared amplitude, to round-off") {
         INFO("omega dt = " << theta);
         CHECK(growth(methods::implicit_euler, theta) == Approx(1 / (1 + theta * theta)).epsilon(1e-12));
         CHECK(growth(methods::implicit_midpoint, theta) == Approx(1).epsilon(1e-12));
+    }
+}
+
+TEST_CASE(
+    "Putting the guess back in diverges beyond theta = 1 for implicit Euler, beyond 2 for the midpoint") {
+    // x' = v, v' = -omega^2 x, in units of dt and with v in units of omega x: the rate turns by a right angle
+    const auto gap_after = [](double theta, double share_of_end, int turns) {
+        const std::complex<double> start(1, 0.3), turn(0, -theta);
+        std::complex<double> guess = start, last = start;
+        for (int i = 0; i < turns; ++i) {
+            last = guess;
+            guess = start + turn * ((1 - share_of_end) * start + share_of_end * last);
+        }
+        return std::abs(guess - last);
+    };
+    for (const auto& [limit, share_of_end] : {std::pair{1.0, 1.0}, std::pair{2.0, 0.5}}) {
+        INFO("limit " << limit);
+        CHECK(gap_after(0.99 * limit, share_of_end, 1000) < 1e-3);
+        CHECK(gap_after(1.01 * limit, share_of_end, 1000) > 1e3);
     }
 }
 

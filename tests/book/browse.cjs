@@ -1,13 +1,15 @@
 // browse.cjs BOOK: opens every page of the woven book from disk in headless Chromium, on a phone, a small and a wide
 // screen, light and dark. A page fails by: a console message or an exception, a request that fails or leaves the book's
 // folder, a script that is no file of the book, sideways scrolling, a formula or picture that is cut off, a link or anchor
-// that leads nowhere, text too faint for its paper.
+// that leads nowhere, text too faint for its paper. A page of a chapter is also too heavy (more than 1.5 MB are read for it in
+// one scheme, what all pages share apart) or too long (more than 25 000 px on a screen 1440 px wide, folds closed).
 'use strict';
 const fs = require('fs'), path = require('path'), url = require('url');
 const {pages_of, run} = require('./chromium.cjs');
 
 const book = path.resolve(process.argv[2]);
 const pages = pages_of(book);
+const heaviest = 1.5e6, longest = 25000;                // bytes, px
 
 // --- what a page is asked, inside the browser ------------------------------------------------------------------------
 function examine(width, inside) {
@@ -86,7 +88,7 @@ async function main({tell, heard, event}) {
 
     const inside = url.pathToFileURL(book).href + '/';
     const complaints = [];
-    let here = '';
+    let here = '', read = new Set();
     const complain = what => complaints.push(`${path.relative(book, here)}: ${what}`);
     heard.push(m => {
         if (m.method === 'Log.entryAdded') complain(`console: ${m.params.entry.text} ${m.params.entry.url || ''}`);
@@ -96,15 +98,29 @@ async function main({tell, heard, event}) {
         if (m.method === 'Network.requestWillBeSent') {
             const to = m.params.request.url;
             if (!to.startsWith(inside) && !to.startsWith('data:')) complain(`a request leaves the book: ${to}`);
+            if (to.startsWith(inside)) read.add(decodeURIComponent(to.slice(inside.length).split(/[?#]/)[0]));
         }
     });
 
     const views = [[360, 'light'], [1000, 'dark'], [1280, 'light']];
-    const ids = new Map(), links = [];
+    const ids = new Map(), links = [], measures = [];
     for (here of pages) {
+        const measured = /^0\d[a-z]?_/.test(path.relative(book, here));
+        read = new Set();
         const loaded = event('Page.loadEventFired');
         await tell('Page.navigate', {url: url.pathToFileURL(here).href});
         await loaded;
+        if (measured) {
+            await tell('Emulation.setDeviceMetricsOverride', {width: 1440, height: 900, deviceScaleFactor: 1, mobile: false});
+            const {result} = await tell('Runtime.evaluate', {awaitPromise: true, returnByValue: true, expression: `(async () => {
+                await document.fonts.ready; await Promise.all([...document.images].map(i => (i.loading = 'eager', i.decode().catch(() => {}))));
+                return document.documentElement.scrollHeight; })()`});
+            if (result.value > longest) complain(`it is ${result.value} px long at 1440, more than ${longest}`);
+            const own = [...read].filter(name => /\.html$|^pictures\//.test(name));
+            const bytes = own.reduce((sum, name) => sum + fs.statSync(path.join(book, name)).size, 0);
+            if (!(bytes > 1000 && bytes <= heaviest)) complain(`a browser reads ${bytes} bytes for it in one scheme, more than ${heaviest}`);
+            measures.push(`${path.relative(book, here)} ${result.value} px ${(bytes / 1e6).toFixed(2)} MB`);
+        }
         for (const [width, scheme] of views) {
             await tell('Emulation.setDeviceMetricsOverride', {width, height: 800, deviceScaleFactor: 1, mobile: width < 500});
             await tell('Emulation.setEmulatedMedia', {features: [{name: 'prefers-color-scheme', value: scheme}]});
@@ -131,6 +147,7 @@ async function main({tell, heard, event}) {
         if (!ids.has(file)) { if (!fs.existsSync(url.fileURLToPath(file))) complain(`a link leads nowhere: ${link}`); }
         else if (anchor && !ids.get(file).has(decodeURIComponent(anchor))) complain(`a link's anchor is not there: ${link}`);
     }
+    measures.forEach(m => console.log(m));
     [...new Set(complaints)].forEach(c => console.log(c));
     console.log(`${pages.length} pages, ${views.length} views each, ${links.length} links: ${complaints.length} complaints`);
     return complaints.length && pages.length ? 1 : pages.length ? 0 : 1;

@@ -251,6 +251,14 @@ case_chapter_fails() {
     if grep -q "chapter two" "$work/said"; then fail "went on"; fi
     course test && ends_with 1 && says "1 tests failed out of 2" && complains "LastTest.log"
 }
+# The container file installs what ./course would: each package of its table but the browser of the tests; Debian 12 draws by OSMesa.
+case_the_container_has_every_package() {
+    wanted=$(sed -n "/^needs='/,/^'/p" "$project/course" | grep -v '^chromium|' | awk -F'|' 'NF == 4 { print $2 }' | sed 's/OPENGL/libosmesa6-dev/')
+    [ "$(echo "$wanted" | wc -w)" -gt 12 ] || fail "the table of packages was not found"
+    for package in $wanted; do
+        tr -s ' ' '\n' <"$project/Containerfile" | grep -qxF -- "$package" || fail "the Containerfile lacks $package"
+    done
+}
 case_nowhere_to_write() {
     : >"$toy/out"
     for verb in run test; do course $verb && ends_with 1 && in_one_line && complains "cannot write"; done

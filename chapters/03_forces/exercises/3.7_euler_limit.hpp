@@ -11,11 +11,11 @@ struct EulerLimit {
 
     template <class Answer>
     static void ask(Paper& paper, const Answer& answer) {
-        for (const double g : {0.0, 0.7, 3.3, 5.0, 5.9999})  // swings; without drag it never is
-            ask_one(paper, answer, 3.0, g);
-        ask_one(paper, answer, 2.5, 5.0);                      // just creeps
-        for (const double g : {6.0001, 6.6, 8.0, 10.5, 14.5})  // creeps
-            ask_one(paper, answer, 3.0, g);
+        for (const double nu : {0.0, 0.7, 3.3, 5.0, 5.9999})  // swings; without drag it never is
+            ask_one(paper, answer, 3.0, nu);
+        ask_one(paper, answer, 2.5, 5.0);                       // just creeps
+        for (const double nu : {6.0001, 6.6, 8.0, 10.5, 14.5})  // creeps
+            ask_one(paper, answer, 3.0, nu);
         ask_one(paper, answer, 1.4, 2.1);
         ask_one(paper, answer, 1.4, 14.5);
         ask_one(paper, answer, 0.0, 4.0);  // drag alone
@@ -23,10 +23,10 @@ struct EulerLimit {
 
   private:
     template <class Answer>
-    static void ask_one(Paper& paper, const Answer& answer, double omega, double g) {
-        paper.input("omega", omega, "g", g);
-        const double limit = answer(omega, g);
-        paper.output("the largest stable step [s]", limit, 1 / (omega + g));
+    static void ask_one(Paper& paper, const Answer& answer, double omega, double nu) {
+        paper.input("omega", omega, "nu", nu);
+        const double limit = answer(omega, nu);
+        paper.output("the largest stable step [s]", limit, 1 / (omega + nu));
     }
 
   public:
@@ -34,63 +34,64 @@ struct EulerLimit {
     static About<EulerLimit> about() {
         return {
             .title = "Euler's limit",
-            .hints = {"Euler multiplies each rate's part by 1 + lambda dt every step. Stable "
-                      "means that no part grows. Which two rates has the damped spring?",
-                      "lambda = -g/2 plus or minus the root of g^2/4 - omega^2. Where the root "
-                      "is imaginary, ask when |1 + lambda dt| reaches one; where it is real, ask "
-                      "when the faster rate times dt reaches minus two.",
-                      "Underdamped: |1 + lambda dt|^2 = 1 - g dt + omega^2 dt^2. Overdamped: the "
-                      "faster rate is -(g + root of (g^2 - 4 omega^2))/2, and it must not pass "
-                      "-2/dt."},
+            .hints =
+                {"Euler multiplies each rate's part by 1 + lambda dt every step. Stable "
+                 "means that no part grows. Which two rates has the damped spring?",
+                 "lambda = -nu/2 plus or minus the root of nu^2/4 - omega^2. Where the root "
+                 "is imaginary, ask when |1 + lambda dt| reaches one; where it is real, ask "
+                 "when the faster rate times dt reaches minus two.",
+                 "Underdamped: |1 + lambda dt|^2 = 1 - nu dt + omega^2 dt^2. Overdamped: the "
+                 "faster rate is -(nu + root of (nu^2 - 4 omega^2))/2, and it must not pass "
+                 "-2/dt."},
             .picture = "regions.svg",
             .mistakes =
                 {{"the limit of drag alone", "classic",
                   "The spring explodes although the drag alone would be stable.",
                   "You took the limit of the drag without the spring. The spring's rate enters "
                   "too.",
-                  [](double, double g) -> double { return 2 / g; }},
+                  [](double, double nu) -> double { return 2 / nu; }},
                  {"the swinging case only", "classic", "A strongly damped spring explodes.",
-                  "g/omega^2 holds while the spring swings. Where it creeps, the faster of the "
+                  "nu/omega^2 holds while the spring swings. Where it creeps, the faster of the "
                   "two real rates decides, and its limit is smaller.",
-                  [](double omega, double g) -> double { return g / (omega * omega); }},
+                  [](double omega, double nu) -> double { return nu / (omega * omega); }},
                  {"Verlet's limit", "E04's claim", "A lightly damped spring explodes at once.",
                   "2/omega is the limit of Verlet and of semi-implicit Euler. Euler's is "
-                  "g/omega^2: without drag it has none but zero.",
+                  "nu/omega^2: without drag it has none but zero.",
                   [](double omega, double) -> double { return 2 / omega; }},
                  {"the slow rate", "classic: the wrong root",
                   "A strongly damped spring explodes.",
                   "You took the slower of the two rates. The faster one breaks first: plus "
                   "before the root.",
-                  [](double omega, double g) -> double {
-                      if (g * g < 4 * omega * omega) return g / (omega * omega);
-                      return 4 / (g - std::sqrt(g * g - 4 * omega * omega));
+                  [](double omega, double nu) -> double {
+                      if (nu * nu < 4 * omega * omega) return nu / (omega * omega);
+                      return 4 / (nu - std::sqrt(nu * nu - 4 * omega * omega));
                   }},
                  {"a factor of two", "classic",
                   "The step is twice the stable one, and a lightly damped spring explodes.",
-                  "|1 + lambda dt|^2 = 1 - g dt + omega^2 dt^2 is one at dt = g/omega^2.",
-                  [](double omega, double g) -> double {
-                      if (g * g < 4 * omega * omega) return 2 * g / (omega * omega);
-                      return 4 / (g + std::sqrt(g * g - 4 * omega * omega));
+                  "|1 + lambda dt|^2 = 1 - nu dt + omega^2 dt^2 is one at dt = nu/omega^2.",
+                  [](double omega, double nu) -> double {
+                      if (nu * nu < 4 * omega * omega) return 2 * nu / (omega * omega);
+                      return 4 / (nu + std::sqrt(nu * nu - 4 * omega * omega));
                   }},
                  {"1 instead of 2", "classic", "Stable, at twice the cost.",
                   "Beyond 1/rate Euler overshoots but comes back. It is unstable only beyond "
                   "2/rate.",
-                  [](double omega, double g) -> double {
-                      if (g * g < 4 * omega * omega) return g / (omega * omega);
-                      return 2 / (g + std::sqrt(g * g - 4 * omega * omega));
+                  [](double omega, double nu) -> double {
+                      if (nu * nu < 4 * omega * omega) return nu / (omega * omega);
+                      return 2 / (nu + std::sqrt(nu * nu - 4 * omega * omega));
                   }},
                  {"Verlet's limit while it swings", "E04's claim",
                   "A lightly damped spring explodes.",
-                  "Where it creeps you are right. Where it swings the limit is g/omega^2: "
+                  "Where it creeps you are right. Where it swings the limit is nu/omega^2: "
                   "without drag Euler has none but zero. 2/omega is Verlet's.",
-                  [](double omega, double g) -> double {
-                      if (g * g < 4 * omega * omega) return 2 / omega;
-                      return 4 / (g + std::sqrt(g * g - 4 * omega * omega));
+                  [](double omega, double nu) -> double {
+                      if (nu * nu < 4 * omega * omega) return 2 / omega;
+                      return 4 / (nu + std::sqrt(nu * nu - 4 * omega * omega));
                   }}},
             .alternatives = {{"by the rates",
-                              [](double omega, double g) -> double {
+                              [](double omega, double nu) -> double {
                                   // both |1 + lambda dt| < 1:  dt < -2 Re(lambda)/|lambda|^2
-                                  const auto rates = spring_rates(omega, g);
+                                  const auto rates = spring_rates(omega, nu);
                                   double least = std::numeric_limits<double>::infinity();
                                   for (const Complex& rate : rates)
                                       if (std::norm(rate) > 0)
@@ -98,7 +99,7 @@ struct EulerLimit {
                                               std::min(least, -2 * rate.real() / std::norm(rate));
                                   return std::max(0.0, least);
                               }}},
-            .survivors = {{"< to <=", "at g = 2 omega both limits are 2/omega"}},
+            .survivors = {{"< to <=", "at nu = 2 omega both limits are 2/omega"}},
         };
     }
 #endif

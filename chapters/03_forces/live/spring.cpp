@@ -110,7 +110,7 @@ class LiveSpring : public live::Figure {
                 drawing.add(pic::Ball{.centre = here, .radius = 0.15, .colour = colour});
             }
             drawing.add(pic::Label{
-                .at = level + Vector3(wall + 0.05, 0.14, 0), .text = words, .colour = colour});
+                .at = level + Vector3(wall + 0.05, 0.27, 0), .text = words, .colour = colour});
             ++i;
         });
         return drawing;

@@ -151,7 +151,7 @@ State semi_implicit_exponential(State state, const Forces& forces, double t, dou
 }
 
 /// Semi-implicit Euler with implicit drag, that of the velocity at the end. First
-/// order; on a damped spring stable while dt < (g + sqrt(g^2 + 4 omega^2))/omega^2, g =
+/// order; on a damped spring stable while dt < (nu + sqrt(nu^2 + 4 omega^2))/omega^2, nu =
 /// gamma/m.
 template <class State, class Forces>
 State semi_implicit_division(State state, const Forces& forces, double t, double dt) {
@@ -163,11 +163,11 @@ State semi_implicit_division(State state, const Forces& forces, double t, double
 // [/semi_implicit_drag]
 
 // [oscillation]
-/// What a damped oscillator x'' = -omega^2 x - g x' does in a time t, as a matrix on (x, x').
+/// What a damped oscillator x'' = -omega^2 x - nu x' does in a time t, as a matrix on (x, x').
 /// Exact in all three regimes (under-, critically and over-damped), to a few units of
-/// round-off; omega [rad/s] and g = gamma/m [1/s] not negative. Eq. (3A.c).
-inline Eigen::Matrix2d oscillation(double omega, double g, double t) {
-    const double d = g / 2, D = omega * omega - d * d;
+/// round-off; omega [rad/s] and nu = gamma/m [1/s] not negative. Eq. (3A.c).
+inline Eigen::Matrix2d oscillation(double omega, double nu, double t) {
+    const double d = nu / 2, D = omega * omega - d * d;
     // e^(-d t) cos(rt), e^(-d t) sin(rt)/r, r = sqrt(D); cosh and sinh where D is negative; near
     // critical two terms of their series suffice
     double c, s;
@@ -194,13 +194,13 @@ inline Eigen::Matrix2d oscillation(double omega, double g, double t) {
 /// force at all.
 struct SpringPropagator {
     double omega;      ///< sqrt(kappa/m) [rad/s]
-    double g = 0;      ///< gamma/m [1/s]
+    double nu = 0;     ///< gamma/m [1/s]
     double known = 0;  ///< the step the matrix belongs to [s]
     Eigen::Matrix2d step = Eigen::Matrix2d::Identity();
 
     template <class State, class Forces>
     State operator()(State state, const Forces&, double, double dt) {
-        if (dt != known) step = oscillation(omega, g, dt), known = dt;
+        if (dt != known) step = oscillation(omega, nu, dt), known = dt;
         const Vector3 position = step(0, 0) * state.position + step(0, 1) * state.velocity;
         state.velocity = step(1, 0) * state.position + step(1, 1) * state.velocity;
         state.position = position;

@@ -78,7 +78,7 @@ struct MassOnSpring {
         return scene;
     }
     double omega() const { return std::sqrt(stiffness / start.mass); }  ///< [rad/s]
-    double damping_rate() const { return drag / start.mass; }           ///< g = gamma/m [1/s]
+    double damping_rate() const { return drag / start.mass; }           ///< nu = gamma/m [1/s]
 
     /// Eq. (18*) with rest length zero needs no root.
     Vector3 operator()(const PointMass& mass, double) const {

@@ -23,6 +23,28 @@ struct LinearImplicitEuler {
 };
 // [/linear_implicit_euler]
 
+// [at_rest_length]
+/// The two ends of a spring, [m], world frame.
+struct Ends {
+    Vector3 a, b;
+};
+
+/// Both ends moved along the spring until it has its rest length [m]. Each moves in proportion
+/// to its inverse mass [1/kg], so that their common centre of mass stays; an end that is held
+/// has an inverse mass of zero. Ends that meet, or are both held, stay where they are.
+/// Eq. (3.i).
+inline Ends at_rest_length(const Vector3& a, const Vector3& b, double rest_length,
+                           double inverse_mass_a, double inverse_mass_b) {
+    // exercise 3.9
+    const Vector3 way = b - a;
+    const double length = way.norm(), both = inverse_mass_a + inverse_mass_b;
+    if (length == 0 || both == 0) return {a, b};
+    const Vector3 too_much = (1 - rest_length / length) * way;
+    return {a + inverse_mass_a / both * too_much, b - inverse_mass_b / both * too_much};
+    // end 3.9
+}
+// [/at_rest_length]
+
 // [position_based]
 /// Position-based dynamics: drift as if there were no springs, then put right, spring by spring,
 /// what the drift has made too long or too short, and take for the velocity how far everybody
@@ -30,12 +52,43 @@ struct LinearImplicitEuler {
 /// on the number of iterations and on the step.
 /// Source: M. Mueller et al., Position Based Dynamics, VRIPHYS 2006.
 struct PositionBased {
-    int iterations = 10;  ///< over all springs, in each step
-    Springs list = {};    ///< the net's springs, listed by the first step
+    int iterations = 10;                    ///< over all springs, in each step
+    Springs list = {};                      ///< the net's springs, listed by the first step
+    std::vector<double> inverse_mass = {};  ///< [1/kg], 0 for what is held
 
-    Particles operator()(Particles all, const SpringNet& net, double t, double dt);
+    Particles operator()(Particles all, const SpringNet& net, double, double dt) {
+        if (list.links.empty()) begin(all, net);
+        const Vector3Array before = all.position;
+        kick_by_weight_and_drag(all, net, dt);
+        drift(all, dt);
+        for (int turn = 0; turn < iterations; ++turn)
+            for (const auto& [a, b, spring] : list.links) {
+                const Ends ends =
+                    at_rest_length(all.position[a], all.position[b], spring.rest_length,
+                                   inverse_mass[a], inverse_mass[b]);
+                all.position.set(a, ends.a), all.position.set(b, ends.b);
+            }
+        for (std::size_t i = 0; i < all.size(); ++i)
+            all.velocity.set(i, (all.position[i] - before[i]) / dt);
+        return all;
+    }
+    // [/position_based]
+
+    void begin(const Particles& all, const SpringNet& net) {
+        list = list_of(net.springs);
+        inverse_mass.resize(all.size());
+        for (std::size_t i = 0; i < all.size(); ++i) inverse_mass[i] = 1 / all.mass[i];
+        for (const std::size_t i : net.held) inverse_mass[i] = 0;
+    }
+    /// What is held has no velocity and gets none.
+    void kick_by_weight_and_drag(Particles& all, const SpringNet& net, double dt) const {
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            if (inverse_mass[i] == 0) continue;
+            const Vector3 free = all.velocity[i] + dt * Vector3(0, -net.g, 0);
+            all.velocity.set(i, free / (1 + net.drag * dt * inverse_mass[i]));
+        }
+    }
 };
-// [/position_based]
 
 inline Particles LinearImplicitEuler::operator()(Particles all, const SpringNet& net, double t,
                                                  double dt) {
@@ -89,33 +142,6 @@ inline Particles LinearImplicitEuler::operator()(Particles all, const SpringNet&
     for (std::size_t i = 0; i < n; ++i)
         if (!held[i]) all.velocity.set(i, all.velocity[i] + dv[i]);
     drift(all, dt);
-    return all;
-}
-
-inline Particles PositionBased::operator()(Particles all, const SpringNet& net, double,
-                                           double dt) {
-    if (list.links.empty()) list = list_of(net.springs);
-    std::vector<char> held(all.size(), 0);
-    for (const std::size_t i : net.held) held[i] = 1;
-    const Vector3Array before = all.position;
-    for (std::size_t i = 0; i < all.size(); ++i) {
-        if (held[i]) continue;
-        const Vector3 free = all.velocity[i] + dt * Vector3(0, -net.g, 0);
-        all.velocity.set(i, free / (1 + net.drag * dt / all.mass[i]));
-    }
-    drift(all, dt);
-    for (int turn = 0; turn < iterations; ++turn)
-        for (const auto& [a, b, spring] : list.links) {
-            const double wa = held[a] ? 0 : 1 / all.mass[a], wb = held[b] ? 0 : 1 / all.mass[b];
-            const Vector3 way = all.position[a] - all.position[b];
-            const double length = way.norm();
-            if (length == 0 || wa + wb == 0) continue;
-            const Vector3 right = (spring.rest_length - length) / (length * (wa + wb)) * way;
-            all.position.set(a, all.position[a] + wa * right);
-            all.position.set(b, all.position[b] - wb * right);
-        }
-    for (std::size_t i = 0; i < all.size(); ++i)
-        all.velocity.set(i, (all.position[i] - before[i]) / dt);
     return all;
 }
 
