@@ -36,7 +36,7 @@ void planet_again(lab::Report& report) {
         clock_entry(methods::logarithmic_leapfrog8, times_orbits({4, 6, 8, 12, 16, 20, 30}))};
     const lab::Plan plan{
         .key = "planet",
-        .scene = "Planet, e = 0.6, " + lab::rounded(orbits) + " orbits.",
+        .scene = "Planet, ε = 0.6, " + lab::rounded(orbits) + " orbits.",
         .behind = "A clock that runs with the planet wins; its order decides by how much",
         .guides = {-2, -4, -8},
         .fewest = 50,
