@@ -111,7 +111,7 @@ struct Chart {
     std::optional<Level> tolerance = {};  ///< on y: what the scene needs
     std::vector<Level> levels_x = {}, levels_y = {};
     std::vector<double> guides =
-        {};  ///< slopes d(log y)/d(log x) of a small fan, on logarithmic axes; left out where it finds no free place
+        {};  ///< slopes d(log y)/d(log x) of a small fan, logarithmic axes; left out where no place is free
     std::string guide_name = "order";
     bool ring_cheapest = false;  ///< ring the point that `cheapest` finds
     std::vector<Ring> rings = {};

@@ -9,7 +9,7 @@
 
 namespace nutshell::lab {
 
-/// The looks of all methods of a list, a group for each family that has a member in it, in the palette's order.
+/// The looks of a list of methods, a group for each family that has a member in it, in the palette's order.
 /// Methods that share a name share a look and stand once.
 template <class List>
 chart::Legend looks(const List& methods, const std::string& title) {
