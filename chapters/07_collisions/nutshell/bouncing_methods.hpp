@@ -24,7 +24,7 @@ inline constexpr Method bounce_steps{
     1,
     1,
     plainly([](Particle body, const BouncingBall& scene, double t, double dt) {
-        body = verlet(body, scene, t, dt);
+        body = nutshell::verlet(body, scene, t, dt);
         bounce_off_floor(scene, body);
         return body;
     })};
@@ -36,7 +36,7 @@ inline constexpr Method bounce_pushed{
     1,
     1,
     plainly([](Particle body, const BouncingBall& scene, double t, double dt) {
-        body = verlet(body, scene, t, dt);
+        body = nutshell::verlet(body, scene, t, dt);
         bounce_with_push(scene, body, dt, 0.2);
         return body;
     })};
@@ -48,7 +48,7 @@ inline constexpr Method bounce_printed{
     no_order,
     1,
     plainly([](Particle body, const BouncingBall& scene, double t, double dt) {
-        body = euler(body, scene, t, dt);
+        body = nutshell::euler(body, scene, t, dt);
         bounce_as_printed(body);
         return body;
     })};
