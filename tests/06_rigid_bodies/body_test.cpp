@@ -62,8 +62,7 @@ TEST_CASE("L = I omega in world axes, and half omega L is the energy") {
           0.3 * angular_velocity(body).norm());
 }
 
-TEST_CASE(
-    "Points of a body: where they are, and how fast they move, by finite differences of the free motion") {
+TEST_CASE("Points of a body: where they are, and how fast they move, by finite differences") {
     const Body body = some_body({1, 2, 2.5});
     const Vector3 r(0.3, -0.4, 1.2);
     const double h = 1e-4;

@@ -122,7 +122,7 @@ TEST_CASE(
     const Learner learner("more signatures");
     learner.answer({1, 5},
                    "    kick(state, forces(state, t), dt / 2);\n    drift(state, dt);\n    kick(state, "
-                   "forces(state, t + dt / 2), dt / 2);\n    return state;");
+                   "forces(state, t + dt / 3), dt / 2);\n    return state;");
     learner.answer({1, 7}, "    return 3 * tolerance / (acceleration.norm() * duration);");
     const auto verdicts = learner.check_chapter(1);
     CHECK(verdicts[4].name == "wrong: wrong order");

@@ -138,7 +138,7 @@ TEST_CASE("Every verb answers bad arguments with one line and a code") {
                                                                    {"hint", "one"},
                                                                    {"reset", "1"},
                                                                    {"run", "1.1", "--mine"},
-                                                                   {"run", "7", "--mine"},
+                                                                   {"run", "8", "--mine"},
                                                                    {"check", "1", "2"},
                                                                    {"check", "--loud"},
                                                                    {"check", "--junit"}}) {

@@ -19,6 +19,7 @@ struct MagnusRotation {
     /// middle, whether M is made as long as L, and whether the pose is turned after it.
     static void with(const Vector3& inertia, Quaternion& q, const Vector3& L, double dt,
                      double cross, double slopes, bool length = true, bool align = true) {
+        q = trimmed(q);
         const auto rate = [&](const Vector3& M) -> Vector3 {
             return M.cross(M.cwiseQuotient(inertia));
         };

@@ -30,21 +30,10 @@ struct FallsThroughZero {
             paper.input("a", a, "b", b, "c", c);
             const std::optional<double> t = answer(a, b, c);
             paper.output("it meets: 1, or not: 0", t ? 1.0 : 0.0, 1.0);
-            paper.output("the time [s]", t.value_or(-1), scale_of(a, b, c));
+            paper.output("the time [s]", t.value_or(-1), t && *t > 0 ? *t : 1.0);
         }
     }
 
-  private:
-    /// The size [s] of the times that the three numbers make.
-    static double scale_of(double a, double b, double c) {
-        double scale = 0;
-        if (b != 0) scale = std::abs(c / b);
-        if (a != 0) scale = std::max(scale, std::sqrt(std::abs(c / a)));
-        if (scale == 0 && a != 0) scale = std::abs(b / a);
-        return scale > 0 ? scale : 1;
-    }
-
-  public:
 #ifndef NUTSHELL_SHEET
     static About<FallsThroughZero> about() {
         return {
