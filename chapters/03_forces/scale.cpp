@@ -66,7 +66,8 @@ void draw_against_floor(lab::Report& report, const std::vector<Kind>& kinds) {
             report.number(key + ".verbs", near->verbs, "ns", shown);
             report.number(key + ".one_pass", near->one_pass, "ns", shown);
             report.number(key + ".floor", near->floor(), "ns", shown);
-            report.number(key + ".floor_spread", near->slowest_floor / near->floor());
+            if (kind.word == std::string("anchored"))
+                report.number(key + ".floor_spread", near->slowest_floor / near->floor());
             report.number(key + ".verbs_over_floor", near->verbs / near->floor(), "", shown);
             report.number(key + ".one_pass_over_floor", near->one_pass / near->floor(), "",
                           shown);
