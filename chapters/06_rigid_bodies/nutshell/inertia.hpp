@@ -76,8 +76,8 @@ inline Matrix3 in_world(const Matrix3& inertia, const Matrix3& rotation) {
 inline Vector3 spin_of(const Matrix3& inertia, const Matrix3& rotation, const Vector3& L) {
     const double largest = inertia.cwiseAbs().maxCoeff();
     require(inertia.determinant() > 1e-14 * largest * largest * largest,
-            "spin_of: the inertia tensor has no inverse: a moment is zero, as of a rod without "
-            "thickness");
+            "spin_of: the inertia tensor has no inverse: a moment is zero, as of a rod without"
+            " thickness");
     // exercise 6.4
     const Vector3 own = rotation.transpose() * L;
     return rotation * Vector3(inertia.ldlt().solve(own));
