@@ -72,12 +72,12 @@ inline Matrix3 in_world(const Matrix3& inertia, const Matrix3& rotation) {
 /// Angular velocity [rad/s], world axes, of a body whose inertia in its own axes is `inertia`,
 /// principal or not: into the body, solve I0 omega = L, back: R I0^-1 R^T L. Source: eq. (53*).
 /// @param L  angular momentum [kg m^2/s], world axes
-/// @throws std::invalid_argument if the inertia has no inverse, as that of a rod without thickness
+/// @throws std::invalid_argument if the inertia has no inverse, as a rod without thickness
 inline Vector3 spin_of(const Matrix3& inertia, const Matrix3& rotation, const Vector3& L) {
     const double largest = inertia.cwiseAbs().maxCoeff();
     require(inertia.determinant() > 1e-14 * largest * largest * largest,
-            "spin_of: the inertia tensor has no inverse: a moment is zero, as of a rod without"
-            " thickness");
+            "spin_of: the inertia tensor has no inverse: a moment is zero, as of a rod without "
+            "thickness");
     // exercise 6.4
     const Vector3 own = rotation.transpose() * L;
     return rotation * Vector3(inertia.ldlt().solve(own));
