@@ -36,12 +36,13 @@ local function fill(values)
 end
 
 --- Where a page stands: 03_forces is chapter 3; 03a_damping is its side road 3A and uses chapter 3's results;
---- 00_toolbox is numbered and no chapter.
+--- 06a_tops is chapter 6's second half, a page of its own. 00_toolbox is numbered and no chapter.
 function Page.place(page)
     local digits, letter = page.name:match("^(%d%d)(%l?)_")
     if not digits then return end
     page.chapter = tonumber(digits)
     page.side = letter ~= "" and letter:upper() or nil
+    page.half = page.side and page.chapter >= 6                -- 06a, 07a go on where 06, 07 end: no way round
     page.number = page.chapter .. (page.side or "")
     page.results = page.name
     for name in os.getenv("BOOK_LIST"):gmatch("%S+") do
@@ -51,6 +52,7 @@ end
 
 --- What stands above a numbered page's title, and what a reference to the whole page says; nil for the others.
 function Page.kicker(page)
+    if page.half then return ("Chapter %d · second half"):format(page.chapter) end
     if page.side then return "Side road " .. page.number end
     return page.chapter and page.chapter > 0 and "Chapter " .. page.chapter or nil
 end
@@ -196,7 +198,7 @@ local function navigation(current)
     end
     -- side roads show below their chapter while the reader is in it
     for _, page in ipairs(Book.pages) do
-        if page.chapter and (not page.side or page.chapter == current.chapter) then entry(page) end
+        if page.chapter and (not page.side or page.half or page.chapter == current.chapter) then entry(page) end
     end
     for _, c in ipairs(Page.chapters()) do
         if not c.page then
@@ -213,14 +215,16 @@ local function turn(page, class, word)
     return ('<a class="%s" href="%s.html"><small>%s</small>%s</a>'):format(class, page.name, word, Page.escape(title))
 end
 
+local function aside(page) return page.side and not page.half end
+
 --- The pages before and after: the main road passes its side roads by; a side road leads back to its chapter.
 local function neighbours(page)
     local index, before, after, main
     for i, p in ipairs(Book.pages) do if p == page then index = i end end
     for i, p in ipairs(Book.pages) do
-        if page.side and p.number == tostring(page.chapter) then main = p end
-        if i < index and not p.side then before = p end
-        if i > index and not after and (page.side or not p.side) then after = p end
+        if aside(page) and p.number == tostring(page.chapter) then main = p end
+        if i < index and not aside(p) then before = p end
+        if i > index and not after and (aside(page) or not aside(p)) then after = p end
     end
     return main or before, after
 end
@@ -244,7 +248,7 @@ function Page.fill(page, edition)
         title = Page.escape(page.name == "index" and page.title or page.title .. " · Game Physics in a Nutshell"),
         base = "", class = (page.chapter and "chapter" or page.name), nav = navigation(page), body = page.body,
         kicker = kicker and ('<p class="kicker">%s</p>'):format(kicker) or "",
-        previous = turn(before, "previous", page.side and "Back to" or "Before"), next = turn(after, "next", "Next"),
+        previous = turn(before, "previous", aside(page) and "Back to" or "Before"), next = turn(after, "next", "Next"),
         edition = "@edition@", search = search,
         script = '<script src="book.js" defer></script>' .. (page.modules and '<script src="live/live.js" defer></script>' or ""),
         running = (Page.running(page):gsub('["\\<>&]', "")),

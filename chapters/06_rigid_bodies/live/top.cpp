@@ -107,13 +107,17 @@ class LiveTop : public live::Figure {
         drawing.stage({{0, 0.4, 0}, 1.15});
         drawing.ground({.height = -0.72, .spacing = 0.25});
         drawing.add(pic::Rod{.from = {0, -0.72, 0}, .to = {0, -0.02, 0}, .radius = 0.03});
-        drawing.add(pic::Trail{.points = exact_,
-                               .colour = pic::palette::ink,
-                               .dashed = true,
-                               .width = 2.5,
-                               .opacity_at_start = 0.2});
-        drawing.add(pic::Trail{
-            .points = path_, .colour = colour_of(family_), .width = 4, .opacity_at_start = 0.15});
+        if (path_.size() > 1) {
+            drawing.add(pic::Trail{.points = exact_,
+                                   .colour = pic::palette::ink,
+                                   .dashed = true,
+                                   .width = 2.5,
+                                   .opacity_at_start = 0.2});
+            drawing.add(pic::Trail{.points = path_,
+                                   .colour = colour_of(family_),
+                                   .width = 4,
+                                   .opacity_at_start = 0.15});
+        }
         const Quaternion q = slerp(run_.previous.orientation, run_.newest.orientation, part);
         add_top(drawing, q, scene_.distance, pic::palette::body);
         const Vector3 c = scene_.centre(run_.newest);
