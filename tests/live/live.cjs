@@ -142,7 +142,7 @@ async function each_figure(browser, name) {
             await sleep(100);
             const stood = !f.playing && f.time === before;
             f.call('step'); f.tell();                           // it stands within a step of the state's moment
-            if (!stood || Math.abs(before - time) > f.time - before + 1e-9) bad.push(f.name + ' under reduced motion: at ' + before + ', its state is at ' + time);
+            if (!stood || Math.abs(before - time) > Math.max(0, f.time - before) + 1e-9) bad.push(f.name + ' under reduced motion: at ' + before + ', its state is at ' + time);
         }
         return bad;`)) complain(what);
     return weight(browser, name);
