@@ -78,7 +78,7 @@ std::vector<std::string> balanced(std::string_view utf8, double size, double wid
         longest_word = std::max(longest_word, text_width(utf8.substr(start, end - start), size));
         start = end + 1;
     }
-    if (longest_word <= 1.5 * width) width = std::max(width, longest_word);  // rather wider than a broken word
+    if (longest_word <= 1.5 * width) width = std::max(width, longest_word);  // rather than broken
     auto lines = wrapped(utf8, size, width);
     for (double narrower = width - 4; narrower >= longest_word; narrower -= 4) {
         auto tried = wrapped(utf8, size, narrower);
