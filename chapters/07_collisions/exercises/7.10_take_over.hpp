@@ -108,7 +108,9 @@ struct TakeOver {
                                   c.normal_impulse = old.normal_impulse;
                                   c.friction = c.normal.cross(f).cross(c.normal);
                               }}},
-            .survivors = {},
+            .survivors = {{"an int for sign", "it is 1 or -1"},
+                          {"statements 1 and 2 swapped", "neither uses what the other sets"},
+                          {"statements 2 and 3 swapped", "neither uses what the other sets"}},
         };
     }
 #endif

@@ -135,7 +135,21 @@ struct VisitPairs {
                                           grid.with_row(i, 0, x - 1, x + 1, y - 1, z + dz, visit);
                                   });
                               }}},
-            .survivors = {},
+            .survivors =
+                {{"+ to -, 4",
+                  "the row behind instead of the one in front: each pair still once"},
+                 {"+ to -, 6", "the rows below instead of those above: each pair still once"},
+                 {"+ to -, 7", "dz takes -1, 0 and 1, the other way round"},
+                 {"0 to 0 + 1", "the points of later rows come after i, so after point 0"},
+                 {"0 to 0 + 1, 2", "the points of later rows come after i, so after point 0"},
+                 {"1 to 0.999 of it, 3",
+                  "as an int x - 1; where that is -1, 0, where the grid ends"},
+                 {"1 to 0.999 of it, 8",
+                  "as an int x - 1; where that is -1, 0, where the grid ends"},
+                 {"<= at 1.25 * 1", "dz is whole"},
+                 {"statements 1 and 3 swapped", "pairs may be visited in any order"},
+                 {"statements 2 and 3 swapped", "pairs may be visited in any order"},
+                 {"visit frozen", "every question counts in the same place"}},
         };
     }
 #endif

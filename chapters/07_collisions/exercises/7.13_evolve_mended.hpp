@@ -17,7 +17,9 @@ struct EvolveMended {
         one(paper, answer, {0.3, 1.01, -0.2}, fast, 1, 0.5, {0.2, -4, 0.1});
         one(paper, answer, {0.3, 0.51, -0.2}, down, 0.5, 0.75, {0.2, -4, 0.1});
         one(paper, answer, {0.3, 1.01, -0.2}, down, 1, 0.75, {0.3, -9, -0.2});
-        one(paper, answer, {0.3, 0.6, -0.2}, up, 1, 0.75, {0.2, -4, 0.1});     // on its way up
+        one(paper, answer, {0.3, 0.6, -0.2}, up, 1, 0.75, {0.2, -4, 0.1});  // on its way up
+        one(paper, answer, {0.3, 0.6, -0.2}, {0.5, 0.6, 0.25}, 1, 0.75,
+            {0.2, -4, 0.1});                                                   // slowly
         one(paper, answer, {0.3, -0.5, -0.2}, down, 1, 0.9, {0.2, -4, 0.1});   // centre below
         one(paper, answer, {0.3, 1.0, -0.2}, {0, 0, 0}, 1, 0.75, {0, -4, 0});  // at rest on it
     }
@@ -121,7 +123,8 @@ struct EvolveMended {
                                   ball.momentum -=
                                       (1 + universe.restitution) * closing * Vector3::UnitY();
                               }}},
-            .survivors = {{"< to <=", "a momentum of zero stays zero"},
+            .survivors = {{"statements 4 and 5 swapped", "neither uses what the other sets"},
+                          {"< to <=", "a momentum of zero stays zero"},
                           {">= to >", "a ball that just touches is put where it is"}},
         };
     }

@@ -49,6 +49,21 @@ struct PressOne {
         one(paper, answer, "pressed before, opens gently", pair(1.5, some, gently), hard);
         one(paper, answer, "pressed before, opens fast", pair(0.7, some, out), hard);
         one(paper, answer, "apart and leaving", pair(0, none, out), hard);
+        one(paper, answer, "pressed before, flies off", pair(0.7, some, {0.2, 9, 0.1}), hard);
+        one(paper, answer, "hardly pressed before, flies off", pair(0.0005, none, out), hard);
+        Pair other = pair(0.3, none, in);
+        other.c.normal = Vector3(-0.3, 0.8, 0.4).normalized();
+        other.c.friction = Vector3(0.08, 0.03, 0).cross(other.c.normal);
+        one(paper, answer, "another normal", other, hard);
+        other.c.normal_mass = 0.9;
+        one(paper, answer, "one that answers less along it", other, rough);
+        other.c.friction_mass = 0.5;
+        one(paper, answer, "and across it", other, rough);
+        Pair barely = pair(0, none, in);  // closes in at half a millimetre a second
+        const Vector3 u =
+            contact_velocity(barely.c, barely.a, barely.b, barely.of_a, barely.of_b);
+        barely.b.momentum -= barely.b.mass * (barely.c.normal.dot(u) + 0.0005) * barely.c.normal;
+        one(paper, answer, "closing in, barely", barely, hard);
         Pair gap = pair(0.2, some, in);
         gap.c.separation = 0.004;
         one(paper, answer, "a gap of 4 mm", gap, rough);
@@ -189,7 +204,13 @@ struct PressOne {
                                   apply_impulse(c, a, b, more * c.normal + friction - c.friction);
                                   c.normal_impulse += more, c.friction = friction;
                               }}},
-            .survivors = {},
+            .survivors = {{"0 to 0 + 1", "the early end saves time: its sums are zero anyway"},
+                          {"0 to 0 + 1, 2", "the early end saves time: its sums are zero anyway"},
+                          {"0.0 to 0.999 of it", "zero has no fraction"},
+                          {"no statement 2",
+                           "the early end saves time: its sums are zero anyway"},
+                          {"statements 2 and 3 swapped", "the early end changes nothing"},
+                          {"statements 2 and 4 swapped", "the early end changes nothing"}},
         };
     }
 #endif

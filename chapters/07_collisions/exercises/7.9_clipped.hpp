@@ -15,7 +15,11 @@ struct Clipped {
             {-0.7, -0.4, 0.11}, {0.8, -0.6, 0.05}, {0.9, 0.7, -0.03}, {-0.5, 0.6, 0.02}};
         const std::vector<Vector3> triangle{{0.2, -0.9, 0.1}, {1.3, 0.4, 0.3}, {-0.6, 0.5, -0.2}};
         const std::vector<Vector3> diamond{{0, -1, 0.1}, {1, 0, 0.2}, {0, 1, 0.3}, {-1, 0, 0.4}};
+        const std::vector<Vector3> five{
+            {0, -1, 0.1}, {1, -0.3, 0.2}, {0.6, 0.9, 0.3}, {-0.6, 0.8, 0.4}, {-1, -0.2, 0.5}};
         one(paper, answer, leaning, 0, 1, 0.5, 1);
+        one(paper, answer, five, 0, 1, 0.4, 1);
+        one(paper, answer, five, 1, 1, 0.5, 3);
         one(paper, answer, leaning, 0, -1, 0.25, 2);
         one(paper, answer, leaning, 1, 1, 0.3, 3);
         one(paper, answer, leaning, 1, -1, 0.45, 4);
@@ -33,9 +37,10 @@ struct Clipped {
     static void one(Paper& paper, const Answer& answer, const std::vector<Vector3>& corners,
                     int axis, double sign, double limit, int side) {
         Polygon from;
+        from.corner.fill({0.05, 0.04, 3}), from.name.fill(99);  // places that nobody may read
         Eigen::MatrixXd columns(3, static_cast<Eigen::Index>(corners.size()));
         for (std::size_t i = 0; i < corners.size(); ++i) {
-            from.add(corners[i], 5 * static_cast<int>(i + 1));
+            from.add(corners[i], (corners.size() == 4 ? 5 : 3) * static_cast<int>(i + 1));
             columns.col(static_cast<Eigen::Index>(i)) = corners[i];
         }
         paper.input("from", columns, "axis", static_cast<double>(axis), "sign", sign, "limit",
@@ -142,7 +147,7 @@ struct Clipped {
                                   }
                                   return left;
                               }}},
-            .survivors = {},
+            .survivors = {{"< to <=, 6", "a cut is made only where p is not on the line"}},
         };
     }
 #endif
