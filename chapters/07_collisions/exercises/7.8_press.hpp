@@ -63,7 +63,7 @@ struct PressOne {
         const Vector3 u =
             contact_velocity(barely.c, barely.a, barely.b, barely.of_a, barely.of_b);
         barely.b.momentum -= barely.b.mass * (barely.c.normal.dot(u) + 0.0005) * barely.c.normal;
-        one(paper, answer, "closing in, barely", barely, hard);
+        one(paper, answer, "closing in, barely", barely, hard, 0.003);
         Pair gap = pair(0.2, some, in);
         gap.c.separation = 0.004;
         one(paper, answer, "a gap of 4 mm", gap, rough);
@@ -80,13 +80,12 @@ struct PressOne {
   private:
     template <class Answer>
     static void one(Paper& paper, const Answer& answer, const char* what, Pair p,
-                    const Press& want) {
+                    const Press& want, double size = 3) {
         const Pair start = p;
         paper.input("contact", what, "momentum of b", p.b.momentum, "friction coefficient",
                     want.friction, "impulse so far", p.c.normal_impulse, "separation",
                     p.c.separation);
         answer(p.c, p.a, p.b, p.of_a, p.of_b, want);
-        const double size = 3;
         paper.output("the normal impulse of the sub-step so far [N s]", p.c.normal_impulse, size);
         paper.output("the friction of the sub-step so far [N s]", p.c.friction, size);
         paper.changed("the momentum of a [kg m/s]", p.a.momentum, start.a.momentum, size);
