@@ -27,7 +27,7 @@ void frame_rate(lab::Report& report) {
                      {}};
     chart::Chart chart;
     chart.title = "Euler's ball flies higher on a slower machine";
-    chart.subtitle = "Thrown ball, one Euler step a frame.";
+    chart.subtitle = "Thrown ball, " + std::string(methods::euler.name) + ", one step a frame.";
     chart.x = {"time [s]"};
     chart.y = {"computed minus exact height [m]"};
     for (const int rate : rates) {
@@ -59,9 +59,9 @@ void frame_rate(lab::Report& report) {
 }
 
 void game_loop(lab::Report& report) {
-    report.heading(
-        "Game loop: the same throw on five machines, semi-implicit Euler, error where the ball "
-        "is drawn at the end");
+    report.heading("Game loop: the same throw on five machines, " +
+                   std::string(methods::semi_implicit_euler.name) +
+                   ", error where the ball is drawn at the end");
     const ThrownBall scene;
     lab::Table table{
         {"machine", {"step follows the frame [m]", "%.4f"}, {"fixed step [m]", "%.4f"}}, {}};
@@ -97,7 +97,9 @@ void game_loop(lab::Report& report) {
     const double slow_step = 1.0 / 60, cost = 0.020;
     chart::Chart chart;
     chart.title = "The spiral of death, and the cap that ends it";
-    chart.subtitle = "Each step simulates 16.7 ms and costs the machine 20 ms.";
+    const std::string simulated = lab::rounded(1000 * slow_step) + " ms",
+                      takes = lab::rounded(1000 * cost) + " ms";
+    chart.subtitle = "Each step simulates " + simulated + " and costs the machine " + takes + ".";
     chart.x = {"frame"};
     chart.y = {"time the frame takes [s]", chart::Scale::logarithmic};
     double simulated_share = 0;
@@ -121,10 +123,11 @@ void game_loop(lab::Report& report) {
     chart::write_svg(chart, report.path("spiral_of_death.svg"));
     report.number("spiral.growth", cost / slow_step);
     report.number("spiral.capped_speed", simulated_share);
-    report.say("A step that costs 20 ms and simulates 16.7 ms: frame 40 takes " +
-               lab::rounded(chart.series[0].y.back()) + " s without a cap, " +
-               lab::rounded(chart.series[1].y.back()) + " s with one; the game then runs at " +
-               lab::rounded(100 * simulated_share) + " % of real time.");
+    report.say("A step that costs " + takes + " and simulates " + simulated +
+               ": frame 40 takes " + lab::rounded(chart.series[0].y.back()) +
+               " s without a cap, " + lab::rounded(chart.series[1].y.back()) +
+               " s with one; the game then runs at " + lab::rounded(100 * simulated_share) +
+               " % of real time.");
 }
 
 }  // namespace nutshell

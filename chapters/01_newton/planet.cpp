@@ -58,7 +58,8 @@ void conservation(lab::Report& report) {
     lab::Table data{{"orbits", "method", "energy_change", "angular_momentum_change"}, {}};
     chart::Chart energy;
     energy.title = "Euler's energy jumps away; the other two come back";
-    energy.subtitle = "Planet, ε = 0.6, " + std::to_string(steps_an_orbit) + " steps a year.";
+    energy.subtitle = "Planet, ε = " + lab::rounded(Planet{}.eccentricity) + ", " +
+                      std::to_string(steps_an_orbit) + " steps a year.";
     energy.x = {"years", chart::Scale::linear, 0, 5};
     energy.y = {"relative change of the energy", chart::Scale::linear, -0.1, 0.5};
     energy.cut = true;
@@ -128,7 +129,8 @@ void cost(lab::Report& report) {
     const auto [least, curves] =
         lab::study(report, scene, newton_methods,
                    {.key = "planet",
-                    .scene = "Planet, ε = 0.6, " + lab::rounded(scene.orbits) + " orbits.",
+                    .scene = "Planet, ε = " + lab::rounded(scene.eccentricity) + ", " +
+                             lab::rounded(scene.orbits) + " orbits.",
                     .behind = "Verlet's error falls twice as steeply",
                     .guides = {-1, -2},
                     .steps = {300, 600, 1200, 2400, 4800, 9600, 19200, 38400, 76800},
@@ -153,8 +155,9 @@ void cost(lab::Report& report) {
 }  // namespace
 
 void planet(lab::Report& report) {
-    report.heading("Planet: e = 0.6, " + std::to_string(steps_an_orbit) + " steps an orbit, " +
-                   std::to_string(orbits) + " orbits");
+    report.heading("Planet: e = " + lab::rounded(Planet{}.eccentricity) + ", " +
+                   std::to_string(steps_an_orbit) + " steps an orbit, " + std::to_string(orbits) +
+                   " orbits");
     conservation(report);
     orders(report);
     cost(report);

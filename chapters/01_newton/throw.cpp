@@ -8,12 +8,13 @@ namespace nutshell {
 
 void straight_line(lab::Report& report) {
     const StraightLine scene;
-    report.heading("Straight line: no force, " + lab::rounded(scene.duration) +
-                   " s in 100 steps");
+    constexpr long steps = 100;
+    report.heading("Straight line: no force, " + lab::rounded(scene.duration) + " s in " +
+                   std::to_string(steps) + " steps");
     lab::Table table{{"method", "largest error [m]"}, {}};
     double largest = 0;
     each(newton_methods, [&](const auto& method) {
-        const double error = lab::measure(scene, method, 100).max_error;
+        const double error = lab::measure(scene, method, steps).max_error;
         largest = std::max(largest, error);
         table.add({method.name, error});
     });
@@ -38,9 +39,10 @@ void straight_line(lab::Report& report) {
 
 void thrown_ball(lab::Report& report) {
     const ThrownBall scene;
-    const double dt = 1.0 / 60;
+    const double rate = 60, dt = 1 / rate;  // [Hz], [s]
     const long steps = lab::steps_of(scene.duration, dt);
-    report.heading("Thrown ball: " + lab::rounded(scene.duration) + " s in steps of 1/60 s");
+    report.heading("Thrown ball: " + lab::rounded(scene.duration) + " s in steps of 1/" +
+                   lab::rounded(rate) + " s");
     lab::Table table{{"method",
                       {"computed - exact, up [m]", "%.6f"},
                       {"the law says [m]", "%.6f"},

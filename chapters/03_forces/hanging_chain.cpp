@@ -23,6 +23,11 @@ HangingChain cut_into(std::size_t links) {
         links - 1, cord_mass / n, {cord_stiffness * n / cord_length, cord_length / n}, {2, 0}};
 }
 
+std::string words_of(const HangingChain& chain) {
+    return "hanging chain, " + std::to_string(chain.masses) + " masses, " +
+           std::to_string(chain.masses + 1) + " links";
+}
+
 double distance(const Vector3& a, const Vector2& b) {
     return (a - Vector3(b.x(), b.y(), 0)).norm();
 }
@@ -82,9 +87,8 @@ void draw_chain(lab::Report& report, const Particles& hung, const HangingChain& 
     const pic::Camera camera = pic::fit(drawing, {0.12, 0.16, 1}, {}, {.margin = 0.04});
     pic::save(report.path("chain.png"),
               {report.command(),
-               "hanging chain, " + std::to_string(chain.masses) + " masses, " +
-                   std::to_string(chain.masses + 1) + " links, " + lab::rounded(cord_mass) +
-                   " kg, " + lab::rounded(cord_length) + " m at rest",
+               words_of(chain) + ", " + lab::rounded(cord_mass) + " kg, " +
+                   lab::rounded(cord_length) + " m at rest",
                methods::semi_implicit_euler.name,
                lab::rounded(dt, "%g s"),
                {{"largest distance to the exact shape", error, "m"},
@@ -95,7 +99,7 @@ void draw_chain(lab::Report& report, const Particles& hung, const HangingChain& 
 }
 
 /// The chain let go in a straight line, at five instants: one camera, one scale.
-void draw_falling_chain(lab::Report& report, SpringNet net, double dt) {
+void draw_falling_chain(lab::Report& report, SpringNet net, const std::string& words, double dt) {
     const Vector3 lift(0, 1.75, 0);  // [m]
     std::vector<pic::Drawing> instants;
     for (const double t : {0.0, 0.15, 0.3, 0.6, 5.0}) {
@@ -122,8 +126,8 @@ void draw_falling_chain(lab::Report& report, SpringNet net, double dt) {
     const pic::Camera camera = pic::fit(instants.back(), {0.12, 0.16, 1}, size, {.margin = 0.06});
     pic::save(report.path("chain_falls.png"),
               {report.command(),
-               "hanging chain, 11 masses, 12 links, let go in a straight line",
-               "semi-implicit Euler",
+               words + ", let go in a straight line",
+               methods::semi_implicit_euler.name,
                lab::rounded(dt, "%g s"),
                {}},
               [&]() -> pic::Sheet {
@@ -158,11 +162,11 @@ void hanging_chain(lab::Report& report) {
     report.number("chain.sag", -exact[6].y(), "m");
     report.number("chain.catenary_gap", gap(chain, cord_of(chain)), "m");
     report.number("chain.cosh_gap", cosh_gap, "m");
-    report.say("12 links, let go and damped: " + lab::rounded(error) +
+    report.say(words_of(chain) + ", let go and damped: " + lab::rounded(error) +
                " m from the exact rest shape, " + lab::rounded(gap(chain, cord_of(chain))) +
                " m from the elastic catenary, " + lab::rounded(cosh_gap) + " m from the cosh");
     draw_chain(report, hung, chain, error, cosh_gap, net.duration / steps);
-    draw_falling_chain(report, net, net.duration / steps);
+    draw_falling_chain(report, net, words_of(chain), net.duration / steps);
 
     chart::Chart chart;
     chart.title = "With more links: the elastic catenary, not the cosh";
