@@ -1,5 +1,6 @@
 // The toolbox's charts and numbers.  ./course run 0  runs it; results in out/00_toolbox.
 #include <nutshell/chart/chart.hpp>
+#include <nutshell/chart/diagram.hpp>
 #include <nutshell/lab/output.hpp>
 #include <nutshell/toolbox.hpp>
 
@@ -11,16 +12,6 @@ using chart::Chart;
 using chart::Draw;
 using chart::Scale;
 using chart::Series;
-
-/// An arrow as a line: shaft, and two short strokes at its head.
-Series arrow(const std::string& name, const Vector2& from, const Vector2& to) {
-    const Vector2 back = 0.14 * (from - to).normalized(), side{-back.y() / 2, back.x() / 2};
-    const Vector2 left = to + back + side, right = to + back - side;
-    return {name,
-            {from.x(), to.x(), left.x(), to.x(), right.x()},
-            {from.y(), to.y(), left.y(), to.y(), right.y()},
-            Draw::line};
-}
 
 Chart plane(const std::string& title, const std::string& subtitle) {
     Chart chart;
@@ -43,13 +34,19 @@ void products(lab::Report& report) {
     report.say("v = (2, 1.5) has length " + lab::rounded(v.norm()) + "; along (3, 0.6) it has " +
                lab::rounded(part) + ", and what is left has " +
                lab::rounded((v - part * n).dot(n)) + " along it.");
-    Chart chart =
-        plane("A vector is its part along n and a rest", "The rest is at right angles to n.");
-    const Vector2 origin{0, 0}, tip = v.head<2>(), foot = (part * n).head<2>();
-    chart.series = {arrow("v", origin, tip), arrow("part along n", origin, foot),
-                    arrow("rest", foot, tip)};
-    chart.x.from = -0.2, chart.x.to = 3, chart.y.from = -0.2, chart.y.to = 1.8;
-    chart::write_svg(chart, report.path("dot.svg"));
+    const Vector3 foot = part * n, corner = 0.12 * (v - foot).normalized(), far = 3 * n;
+    const auto place = [](const Vector3& p) { return chart::Place{p.x(), p.y()}; };
+    chart::Diagram d;
+    d.title = "A vector is its part along n and a rest";
+    d.subtitle = "The rest is at right angles to n.";
+    d.dashed({{0, 0}, place(far)}).note(place(far), "along n");
+    d.dashed({place(foot - 0.12 * n), place(foot - 0.12 * n + corner), place(foot + corner)});
+    d.arrow({0, 0}, place(v), chart::Quantity::velocity, "v");
+    d.arrow({0, 0}, place(foot), chart::Quantity::plain,
+            "part along n, " + lab::rounded(part, "%.2f"));
+    d.arrow(place(foot), place(v - foot), chart::Quantity::plain, "rest");
+    d.width = 520;
+    chart::write_svg(d, report.path("dot.svg"));
 }
 
 void slopes(lab::Report& report) {
@@ -70,8 +67,8 @@ void slopes(lab::Report& report) {
     report.number("area.gain", (area_under(f, 0, pi, 10) - 2) / (area_under(f, 0, pi, 20) - 2));
     Chart chart;
     chart.title = "Ask on both sides, and do not come too close";
-    chart.subtitle = "Slope of sin x at x = 1: error against the distance h";
-    chart.x = {"h", Scale::logarithmic};
+    chart.subtitle = "Slope of sin x at x = 1: error against the distance h.";
+    chart.x = {"distance h", Scale::logarithmic};
     chart.y = {"error of the slope", Scale::logarithmic};
     chart.series = {one_side, both};
     chart.guides = {1, 2};
@@ -82,7 +79,8 @@ void growth(lab::Report& report) {
     report.heading("Growth in steps");
     Chart chart;
     chart.title = "More steps of growth come to the exponential";
-    chart.subtitle = "y grows by y per second; in n steps it is (1 + 1/n)^n after one second";
+    chart.subtitle =
+        "y grows by y per second. In n steps it comes to (1 + 1/n)ⁿ after one second.";
     chart.x.name = "time [s]";
     chart.y.name = "y";
     for (const int n : {1, 2, 4, 16}) {
@@ -94,7 +92,7 @@ void growth(lab::Report& report) {
         report.number("growth.steps_" + std::to_string(n), steps.y.back());
         chart.series.push_back(steps);
     }
-    Series exact{"e^t", {}, {}, Draw::theory};
+    Series exact{"eᵗ", {}, {}, Draw::theory};
     for (int i = 0; i <= 40; ++i)
         exact.x.push_back(i / 40.0), exact.y.push_back(grown(1, 1, i / 40.0));
     chart.series.push_back(exact);
@@ -107,7 +105,7 @@ void growth(lab::Report& report) {
 void turns(lab::Report& report) {
     report.heading("Turns and spirals");
     Chart chart = plane("Multiplied again and again by one number",
-                        "each turns by 20 degrees; the size decides what becomes of the point");
+                        "Each time it turns by 20°. Its size decides what becomes of the point.");
     for (const double size : {0.95, 1.0, 1.03}) {
         Series path{"size " + lab::rounded(size), {}, {}, Draw::line_and_marks};
         for (Complex z = 1; path.x.size() < 25; z = turned(z * size, pi / 9)) {
@@ -130,13 +128,14 @@ void turns(lab::Report& report) {
 void matrices(lab::Report& report) {
     report.heading("One matrix again and again");
     const Matrix2 A{{1.1, 0.2}, {0.3, 0.6}};
-    Chart chart = plane("Every start ends along one line",
-                        "Five starts on a circle, a matrix applied six times, lengths set to 1, "
-                        "2, 3 ... so that the way shows");
+    Chart chart =
+        plane("Every start ends along one line",
+              "Five starts, the same matrix applied six times. Lengths are set to 1, 2, 3 "
+              "and so on, so that the way shows.");
     for (int start = 0; start < 5; ++start) {
         const double angle = 0.3 + start * 0.6;
         Vector2 v{std::cos(angle), std::sin(angle)};
-        Series path{"start " + std::to_string(start + 1), {}, {}, Draw::line_and_marks};
+        Series path{"", {}, {}, Draw::line_and_marks};
         for (int i = 1; i <= 7; ++i) {
             path.x.push_back(i * v.x());
             path.y.push_back(i * v.y());
@@ -146,6 +145,9 @@ void matrices(lab::Report& report) {
     }
     Vector2 v{1, 0};
     for (int i = 0; i < 60; ++i) v = mapped(A, v).normalized();
+    Series line{"the line", {-7 * v.x(), 7 * v.x()}, {-7 * v.y(), 7 * v.y()}, Draw::ghost};
+    line.look = Look{Family::exact};
+    chart.series.push_back(line);
     report.number("matrix.trace", A.trace());
     report.number("matrix.determinant", A.determinant());
     report.number("matrix.factor", largest_factor(A));
@@ -171,10 +173,11 @@ void newton(lab::Report& report) {
     report.print(table);
     Chart chart;
     chart.title = "Down the tangent to where it crosses zero";
-    chart.subtitle = "x^2 = 2 from the guess 3";
+    chart.subtitle = "x² = 2, from the guess 3.";
     chart.x.name = "x";
-    chart.y.name = "x^2 - 2";
-    Series curve{"x^2 - 2", {}, {}, Draw::line}, steps{"Newton", {}, {}, Draw::line_and_marks};
+    chart.y.name = "x² − 2";
+    Series curve{"x² − 2", {}, {}, Draw::line},
+        steps{"Newton's way", {}, {}, Draw::line_and_marks};
     for (int i = 0; i <= 40; ++i) {
         curve.x.push_back(1 + i * 0.055);
         curve.y.push_back(f(curve.x.back()));

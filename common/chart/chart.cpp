@@ -31,7 +31,7 @@ Layout layout_of(const Chart& chart, bool panel) {
     if (chart.bars.empty())
         for (const std::string& line : wrapped(chart.y.name, text_size, layout.width - 2 * border))
             layout.body += draw_text("name", border, top += 21, line);
-    top += 14;
+    top += is_narrow(chart) ? 20 : 14;  // a phone's powers of ten stand higher
     layout.body += chart.bars.empty() ? draw_plot(chart, top, layout.height)
                                       : draw_bars(chart, layout.width, layout.height, top);
     if (panel) return layout;

@@ -9,7 +9,8 @@
 namespace nutshell::chart::parts {
 namespace {
 
-constexpr double off_border = 6;  // text keeps this far from the plot's border
+constexpr std::size_t most_lines = 4;  // a longer reason stands in the margin
+constexpr double off_border = 6;       // text keeps this far from the plot's border
 
 Box box_at(double left, double top, double width, double height) {
     return {left, top, left + width, top + height};
@@ -48,6 +49,7 @@ std::optional<Note> place_on_level(const Level& level, const Frame& frame, const
     const double at = frame.y(level.value);
     for (const double part : {0.9, 0.5, 0.35}) {  // of the plot's width: in one line, or broken
         const auto lines = balanced(level.reason, note_size, part * plot.width());
+        if (lines.size() > most_lines) break;
         const Note note = note_at(lines, 0, 0);
         const double free = plot.width() - note.box.width() - 2 * off_border;
         constexpr int places = 12;
@@ -116,7 +118,8 @@ std::string draw_note(const Note& note) {
 std::vector<Ring> rings_of(const Chart& chart) {
     std::vector<Ring> rings = chart.rings;
     if (chart.ring_cheapest)
-        if (const auto ring = cheapest(chart)) rings.push_back(*ring);
+        if (const auto ring = cheapest(chart))  // the curve it stands on has its name already
+            rings.push_back({ring->x, ring->y, "cheapest"});
     return rings;
 }
 

@@ -83,13 +83,14 @@ std::vector<Lane> lanes_of(const std::vector<Row>& rows, std::size_t columns, do
     return lanes;
 }
 
-/// A line at each power of ten of each lane.
+/// A line at each power of ten of each lane that has two or more.
 std::string draw_decades(const std::vector<Lane>& lanes, double top, double bottom) {
     std::string out;
     for (const Lane& lane : lanes) {
         const Range range = lane.ruler.range;
         const auto first = static_cast<int>(std::ceil(std::log10(range.from))),
                    last = static_cast<int>(std::floor(std::log10(range.to)));
+        if (first == last) continue;  // one alone says nothing
         for (int e = first; e <= last; ++e) {
             const std::string x = unit(lane.ruler(std::pow(10, e)));
             out += "<line class='grid' x1='" + x + "' y1='" + unit(top) + "' x2='" + x + "' y2='" +
@@ -147,8 +148,9 @@ Layout arranged(const Ranking& ranking, double width) {
         y += narrow ? narrow_row : row_height;
     }
     layout.body += "</g>\n";
-    layout.body.insert(grid_at, draw_decades(lanes, below + 10, y));
-    const std::string scale = "From one grey line to the next: ten times as much.";
+    const std::string decades = draw_decades(lanes, below + 10, y);
+    layout.body.insert(grid_at, decades);
+    const std::string scale = decades.empty() ? "" : "From one grey line to the next: ten times as much.";
     for (const std::string& line : wrapped(scale, text_size, width - border - left))
         layout.body += draw_text("sub", left, y += line_height, line);
     layout.height = y + 14;

@@ -168,28 +168,46 @@ void draw_dot(Pen& pen, const Diagram::Dot& dot) {
     pen.keep_off({{at.x, at.y - 7}, {at.x, at.y + 7}});
 }
 
-/// Puts a text where it is freest round a point, the preferred direction first.
-void write_beside(Pen& pen, Point at, Point preferred, double away, const std::string& text,
+/// Whether another arrow begins or ends where this one has its tip.
+bool meets_another(const Pen& pen, const Diagram& d, const Diagram::Arrow& arrow, Point tip) {
+    constexpr double near = 16;
+    return std::any_of(d.arrows.begin(), d.arrows.end(), [&](const Diagram::Arrow& other) {
+        if (&other == &arrow) return false;
+        const Point first = pen(other.shaft.front()), last = pen(other.shaft.back());
+        return std::min(std::hypot(first.x - tip.x, first.y - tip.y),
+                        std::hypot(last.x - tip.x, last.y - tip.y)) < near;
+    });
+}
+
+/// A point to write beside, and on which side rather.
+struct Anchor {
+    Point at, preferred;
+};
+
+/// Puts a text where it is freest round a point, the preferred direction first; farther from the first point
+/// only after a place close to the next one was tried.
+void write_beside(Pen& pen, const std::vector<Anchor>& anchors, double away, const std::string& text,
                   const char* css_class, const Shades& shades, double width) {
     if (text.empty()) return;
     const auto lines = balanced(text, text_size, 0.42 * width);
     double widest = 0;
     for (const std::string& line : lines) widest = std::max(widest, text_width(line, text_size));
     const double height = line_height * static_cast<double>(lines.size());
-    const double first = std::atan2(preferred.y, preferred.x);
     std::vector<Box> candidates;
     for (const double more : {0.0, 8.0, 18.0, 32.0, 50.0})
-        for (const int turn : {0, 1, -1, 2, -2, 3, -3, 4, -4, 5, -5, 6, -6, 7, -7, 8}) {
-            const double angle = first + turn * std::numbers::pi / 8, c = std::cos(angle),
-                         s = std::sin(angle);
-            // the box touches the circle of this radius from outside
-            const double reach = away + more;
-            const Point middle{at.x + c * (reach + widest / 2), at.y + s * (reach + height / 2)};
-            Box box{middle.x - widest / 2, middle.y - height / 2, middle.x + widest / 2,
-                    middle.y + height / 2};
-            if (box.left < 4 || box.right > width - 4) continue;
-            candidates.push_back(box);
-        }
+        for (const auto& [at, preferred] : anchors)
+            for (const int turn : {0, 1, -1, 2, -2, 3, -3, 4, -4, 5, -5, 6, -6, 7, -7, 8}) {
+                const double angle = std::atan2(preferred.y, preferred.x) + turn * std::numbers::pi / 8,
+                             c = std::cos(angle), s = std::sin(angle);
+                // the box touches the circle of this radius from outside
+                const double reach = away + more;
+                const Point middle{at.x + c * (reach + widest / 2), at.y + s * (reach + height / 2)};
+                Box box{middle.x - widest / 2, middle.y - height / 2, middle.x + widest / 2,
+                        middle.y + height / 2};
+                if (box.left < 4 || box.right > width - 4) continue;
+                candidates.push_back(box);
+            }
+    const Point at = anchors.front().at;
     if (candidates.empty()) candidates.push_back({border, at.y - height, border + widest, at.y});
     const Box box = candidates[freest(candidates, pen.obstacles)];
     pen.obstacles.boxes.push_back(box);
@@ -225,9 +243,9 @@ void draw_things(Pen& pen, const Diagram& d) {
 void write_words(Pen& pen, const Diagram& d, double width) {
     for (const auto& dimension : d.dimensions) {
         const Point a = pen(dimension.from), b = pen(dimension.to);
-        write_beside(pen, {(a.x + b.x) / 2, (a.y + b.y) / 2},
-                     std::abs(b.x - a.x) >= std::abs(b.y - a.y) ? Point{0, 1} : Point{1, 0}, 4,
-                     dimension.text, "measured", palette::ink, width);
+        const Point side = std::abs(b.x - a.x) >= std::abs(b.y - a.y) ? Point{0, 1} : Point{1, 0};
+        write_beside(pen, {{{(a.x + b.x) / 2, (a.y + b.y) / 2}, side}}, 4, dimension.text, "measured",
+                     palette::ink, width);
     }
     for (const auto& arrow : d.arrows) {
         const Line line = pen.line(arrow.shaft);
@@ -237,11 +255,14 @@ void write_words(Pen& pen, const Diagram& d, double width) {
         const Point from =
             arc ? Point{(line.front().x + line.back().x) / 2, (line.front().y + line.back().y) / 2}
                 : line[line.size() - 2];
-        write_beside(pen, at, {at.x - from.x, at.y - from.y}, 7, arrow.label, "label",
-                     shades_of(arrow.quantity), width);
+        std::vector<Anchor> anchors{{at, {at.x - from.x, at.y - from.y}}};
+        if (!arc)  // at its tip, or beside its middle: rather there where another arrow comes to the tip
+            anchors.push_back({{(at.x + from.x) / 2, (at.y + from.y) / 2}, {at.y - from.y, from.x - at.x}});
+        if (!arc && meets_another(pen, d, arrow, at)) std::swap(anchors.front(), anchors.back());
+        write_beside(pen, anchors, 7, arrow.label, "label", shades_of(arrow.quantity), width);
     }
     for (const auto& word : d.words)
-        write_beside(pen, pen(word.at), {0, -1}, word.away, word.text,
+        write_beside(pen, {{pen(word.at), {0, -1}}}, word.away, word.text,
                      word.away > 0 ? "label halo" : "measured", palette::ink, width);
 }
 

@@ -25,6 +25,20 @@ std::string thin_spaced(long count) {
     return digits;
 }
 
+/// Three digits, and a power of ten as one writes it: 1e-05 is 10⁻⁵.
+std::string written(double value) {
+    const std::string text = rounded(value);
+    const std::size_t e = text.find('e');
+    if (e == std::string::npos) return text;
+    static constexpr const char* digits[] = {"\u2070", "\u00b9", "\u00b2", "\u00b3", "\u2074",
+                                             "\u2075", "\u2076", "\u2077", "\u2078", "\u2079"};
+    const int exponent = std::stoi(text.substr(e + 1));
+    std::string power = exponent < 0 ? "10\u207b" : "10";
+    for (const char c : std::to_string(std::abs(exponent))) power += digits[c - '0'];
+    const std::string mantissa = text.substr(0, e);
+    return mantissa == "1" ? power : mantissa + " \u00d7 " + power;
+}
+
 std::string who_needs_least(const std::vector<Least>& all) {
     require(!all.empty() && all.front().met, "finding: no method meets the need: there is no least");
     const Least& fewest = all.front();
@@ -48,7 +62,7 @@ chart::Ranking need_chart(const std::vector<Least>& all, const Need& need, const
                           const std::string& title) {
     chart::Ranking ranking;
     ranking.title = title.empty() ? finding(all) : title;
-    ranking.subtitle = words + " Each with the largest step that keeps it within " + rounded(need.tolerance) +
+    ranking.subtitle = words + " Each with the largest step that keeps it within " + written(need.tolerance) +
                        " " + need.unit + ": " + need.reason + ".";
     const bool with_time = timed(all);
     ranking.columns = {"evaluations of the force"};
@@ -63,7 +77,7 @@ chart::Ranking need_chart(const std::vector<Least>& all, const Need& need, const
             row.instead =
                 "does not get there" + (std::isfinite(least.run.max_error)
                                             ? ": with " + thin_spaced(least.run.steps) + " steps still " +
-                                                  rounded(least.run.max_error) + " " + need.unit + " off"
+                                                  written(least.run.max_error) + " " + need.unit + " off"
                                             : " within " + thin_spaced(least.run.steps) + " steps");
         }
         ranking.rows.push_back(std::move(row));
@@ -101,6 +115,10 @@ chart::Figure work_figure(const std::vector<Curve>& curves, const std::vector<Le
                               if (series.x[i] > 0 && series.y[i] <= top) return false;
                           return true;
                       });
+        for (chart::Series& series : panel.series)
+            if (!series.quiet &&
+                std::all_of(series.y.begin(), series.y.end(), [&](double y) { return y < bottom; }))
+                series.name += ", below the chart";
         panel.x.from = least / 1.5, panel.x.to = most * 1.5;
         figure.panels.push_back(std::move(panel));
     }

@@ -1,5 +1,6 @@
 // The throw in two game loops on five machines, one of them as slow and one with as long a hitch
 // as the sliders say.
+#include <algorithm>
 #include <array>
 #include <nutshell/live/figure.hpp>
 #include "../frames.hpp"
@@ -92,17 +93,14 @@ class LiveGameLoop : public live::Figure {
                                   .radius = 0.28,
                                   .colour = pic::palette::symplectic,
                                   .contact_shadow = true});
-            std::string words = seat.machine.label;
-            if (time() >= scene_.duration)
-                words += ": " + digits(std::round(100 * std::abs(above(seat)))) + " cm off";
-            drawing.add(pic::Label{.at = ball_of(seat), .text = words});
         }
+        label(drawing);
         return drawing;
     }
     pic::Size size() const override { return {800, 600}; }
     pic::Camera camera(pic::Size size) const override {
         pic::Drawing all;
-        all.add(pic::Trail{.points = {{0, -3, 0}, {42, -3, 0}, {15, 13, 0}}});
+        all.add(pic::Trail{.points = {{0, -3, 0}, {46, -3, 0}, {15, 13, 0}}});
         return pic::fit(all, {0.1, 0.12, 1}, size, {.margin = 0.05});
     }
     std::vector<live::Number> numbers() const override {
@@ -138,6 +136,29 @@ class LiveGameLoop : public live::Figure {
     double above(const Seat& seat) const {
         return (ball_of(seat) - scene_.exact(seat.shown.time).position).y();
     }
+    /// The machines' names in a column beside their balls, the highest first: the balls are too near
+    /// each other for names of their own.
+    void label(pic::Drawing& drawing) const {
+        std::vector<const Seat*> order;
+        for (const Seat& seat : seats_) order.push_back(&seat);
+        std::stable_sort(order.begin(), order.end(), [this](const Seat* a, const Seat* b) {
+            return ball_of(*a).y() > ball_of(*b).y();
+        });
+        const double away = 3, apart = 2;  // [m]
+        Vector3 at = ball_of(*order.front()) + Vector3(away, 2.5 * apart, 0);
+        for (const Seat* seat : order) {
+            std::string words = seat->machine.label;
+            if (time() >= scene_.duration)
+                words += ": " + digits(std::round(100 * std::abs(above(*seat)))) + " cm off";
+            drawing.add(pic::Trail{.points = {ball_of(*seat), at},
+                                   .colour = pic::palette::steel,
+                                   .width = 1,
+                                   .shadow = false});
+            drawing.add(pic::Label{.at = at, .text = words});
+            at.y() -= apart;
+        }
+    }
+
     ThrownBall scene_;
     bool fixed_ = false;
     long ticks_ = 0;
