@@ -147,6 +147,52 @@ async function main({tell, heard, event}) {
         if (!ids.has(file)) { if (!fs.existsSync(url.fileURLToPath(file))) complain(`a link leads nowhere: ${link}`); }
         else if (anchor && !ids.get(file).has(decodeURIComponent(anchor))) complain(`a link's anchor is not there: ${link}`);
     }
+    // Finding one's way: the search finds sections and their addresses hold; on a phone the bar stays and says where one is.
+    here = path.join(book, 'index.html');
+    const ask = async expression => {
+        const {result, exceptionDetails} = await tell('Runtime.evaluate', {awaitPromise: true, returnByValue: true, expression});
+        if (exceptionDetails) throw new Error(exceptionDetails.exception.description);
+        return result.value;
+    };
+    const open = async page => {
+        const loaded = event('Page.loadEventFired');
+        await tell('Page.navigate', {url: url.pathToFileURL(here = page).href});
+        await loaded;
+    };
+    await open(path.join(book, 'index.html'));
+    const hits = await ask(`(async () => {
+        const form = document.querySelector('.side form.search'), input = form.querySelector('input'), told = form.querySelector('[role=status]');
+        const found = async words => {
+            input.value = words;
+            input.dispatchEvent(new Event('input'));
+            for (let i = 0; i < 100; ++i) {
+                await new Promise(later => setTimeout(later, 20));
+                if (form.querySelector('li a') || told.textContent) break;
+            }
+            const links = [...form.querySelectorAll('li a')].map(a => a.href);
+            input.value = '';
+            form.dispatchEvent(new KeyboardEvent('keydown', {key: 'Escape'}));
+            return links;
+        };
+        return {some: await found('verlet spring'), none: await found('zzyzx')}; })()`);
+    if (!hits.some.length) complain('the search finds nothing for "verlet spring"');
+    if (hits.none.length) complain(`the search finds ${hits.none[0]} for a word that no page has`);
+    for (const link of hits.some) {
+        const [file, anchor] = link.split('#');
+        if (!ids.has(file) || (anchor && !ids.get(file).has(decodeURIComponent(anchor)))) complain(`a finding of the search leads nowhere: ${link}`);
+    }
+    await tell('Emulation.setDeviceMetricsOverride', {width: 360, height: 740, deviceScaleFactor: 1, mobile: true});
+    for (const page of pages.filter(page => /^0\d[a-z]?_/.test(path.relative(book, page)))) {
+        await open(page);
+        const bar = await ask(`(async () => {
+            const headings = [...document.querySelectorAll('main h2')], h = headings[Math.floor(headings.length / 2)];
+            window.scrollTo(0, h.getBoundingClientRect().top + scrollY + 200);
+            await new Promise(later => setTimeout(later, 100));
+            return {top: document.querySelector('.top').getBoundingClientRect().top, says: document.querySelector('.top .where').textContent,
+                wanted: h.textContent}; })()`);
+        if (bar.top !== 0) complain(`the bar of a phone does not stay: it stands at ${bar.top} px`);
+        if (bar.says !== bar.wanted) complain(`the bar of a phone says "${bar.says}" in section "${bar.wanted}"`);
+    }
     measures.forEach(m => console.log(m));
     [...new Set(complaints)].forEach(c => console.log(c));
     console.log(`${pages.length} pages, ${views.length} views each, ${links.length} links: ${complaints.length} complaints`);
