@@ -170,9 +170,9 @@ void hanging_chain(lab::Report& report) {
 
     chart::Chart chart;
     chart.title = "With more links: the elastic catenary, not the cosh";
-    chart.subtitle = "a cord of " + lab::rounded(cord_mass) + " kg, " +
+    chart.subtitle = "A cord of " + lab::rounded(cord_mass) + " kg, " +
                      lab::rounded(cord_length) + " m long at rest, between ends " +
-                     lab::rounded(chain.end.x()) + " m apart, cut into links";
+                     lab::rounded(chain.end.x()) + " m apart, cut into links.";
     chart.x = {"links", chart::Scale::logarithmic};
     chart.y = {"largest gap between the rest shapes [m]", chart::Scale::logarithmic};
     chart.guides = {-1, -2};

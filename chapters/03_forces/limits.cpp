@@ -111,6 +111,15 @@ void general_regions(lab::Report& report) {
     for (auto* stability : {StabilityFunction::dormand_prince, StabilityFunction::rk4,
                             StabilityFunction::explicit_midpoint, StabilityFunction::euler})
         chart.series.push_back(border(stability));
+    // two regions are too narrow between their neighbours for a name: a ring on the border has it
+    for (const std::size_t i : {0, 2}) {
+        const chart::Series& line = chart.series[i];
+        std::size_t upper_left = 0;
+        for (std::size_t k = 0; k < line.x.size(); ++k)
+            if (line.y[k] - line.x[k] > line.y[upper_left] - line.x[upper_left]) upper_left = k;
+        chart.rings.push_back({line.x[upper_left], line.y[upper_left], chart.regions[i].name});
+        chart.regions[i].name = "";
+    }
     chart::write_svg(chart, report.path("regions.svg"));
 }
 

@@ -1,4 +1,5 @@
 // The step at which a chain and a cloth fly apart: by formula, by their fastest mode, by running.
+#include <algorithm>
 #include <nutshell/chart/chart.hpp>
 #include "method_limits.hpp"
 #include "scale.hpp"
@@ -52,6 +53,8 @@ void limits_of_methods(lab::Report& report, const SpringNet& a_chain, const Spri
     line(methods::rk4, std::sqrt(8.0));
     report.print(table);
     report.data("net_methods.csv", table);
+    std::stable_sort(reach.bars.begin(), reach.bars.end(),
+                     [](const chart::Bar& a, const chart::Bar& b) { return a.value > b.value; });
     chart::write_svg(reach, report.path("net_reach.svg"));
 }
 

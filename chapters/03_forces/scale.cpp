@@ -18,9 +18,8 @@ struct Kind {
 void draw_time_against_number(lab::Report& report, const std::vector<Kind>& kinds) {
     chart::Chart chart;
     chart.title = "What one step of one particle costs";
-    chart.subtitle =
-        methods::semi_implicit_euler.name +
-        std::string(" in one pass, one core; down is better; dashed: the machine's reference");
+    chart.subtitle = "One core, one pass of " + std::string(methods::semi_implicit_euler.name) +
+                     ". Dashed: the machine's reference. Down is better.";
     chart.x = {"particles", chart::Scale::logarithmic};
     chart.y = {"time per particle-step [ns]", chart::Scale::logarithmic};
     for (const Kind& kind : kinds) {
@@ -39,10 +38,9 @@ void draw_time_against_number(lab::Report& report, const std::vector<Kind>& kind
 void draw_against_floor(lab::Report& report, const std::vector<Kind>& kinds) {
     chart::Chart chart;
     chart.title = "One pass over memory instead of three: the same bits, sooner";
-    chart.subtitle = methods::semi_implicit_euler.name +
-                     std::string(
-                         ", one core: force, kick and drift one after the other, or all in one "
-                         "pass over memory");
+    chart.subtitle =
+        "One core, " + std::string(methods::semi_implicit_euler.name) +
+        ": force, kick and drift one after the other, or all in one pass over memory.";
     chart.x = {"time per particle-step [ns]", chart::Scale::linear, 0};
     for (const Kind& kind : kinds)
         for (const std::size_t n : {std::size_t{1000}, std::size_t{1'000'000}}) {
@@ -81,9 +79,9 @@ void finer_cloth(lab::Report& report, const std::vector<Times>& times) {
                      part_of_limit = 0.9;  // [m], [kg], [N/m]
     chart::Chart chart;
     chart.title = "Half the mesh, eight times the work";
-    chart.subtitle = lab::rounded(side) + " m x " + lab::rounded(side) + " m, " +
+    chart.subtitle = lab::rounded(side) + " m × " + lab::rounded(side) + " m, " +
                      methods::semi_implicit_euler.name + " at " + lab::rounded(part_of_limit) +
-                     " of its limit: more points, and smaller steps";
+                     " of its limit: more points, and smaller steps.";
     chart.x = {"points along a side", chart::Scale::logarithmic};
     chart.y = {"processor time per simulated second [s/s]", chart::Scale::logarithmic};
     chart.tolerance = {1, "as fast as the clock, on one core"};
