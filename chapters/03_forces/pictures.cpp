@@ -53,9 +53,9 @@ void numbers_of_captions(lab::Report& report) {
 }
 
 void throws_picture(lab::Report& report) {
-    ThrowInAir none, honey, air;
+    ThrowInAir none, linear, air;
     none.air = 0;
-    honey.air = 0, honey.drag = air.air * air.start.velocity.norm();
+    linear.air = 0, linear.drag = air.air * air.start.velocity.norm();
     const double between = 0.25;  // [s]
     const pic::Note note{
         report.command(),
@@ -63,11 +63,12 @@ void throws_picture(lab::Report& report) {
         "exact",
         lab::rounded(between) + " s between images",
         {{"no drag, off at 2.5 s", distance(none.exact(2.5), air.exact(2.5)), "m"},
-         {"linear drag, off at 2.5 s", distance(honey.exact(2.5), air.exact(2.5)), "m"}}};
+         {"linear drag, off at 2.5 s", distance(linear.exact(2.5), air.exact(2.5)), "m"}}};
     pic::save(report.path("throws.png"), note, [&]() -> pic::Sheet {
         pic::Drawing drawing;
         drawing.ground({.height = -0.5, .spacing = 5});
-        const auto add = [&](const ThrowInAir& scene, const char* words, pic::Colour colour) {
+        const auto add = [&](const ThrowInAir& scene, pic::Colour colour, const char* words,
+                             double on, const Vector3& beside) {  // its name, where it is alone
             Path path;
             for (int n = 0; n <= 100 && (n < 50 || scene.exact(0.03 * n).position.y() > 0); ++n)
                 path.push_back(scene.exact(0.03 * n).position);
@@ -76,11 +77,13 @@ void throws_picture(lab::Report& report) {
                 if (const Vector3 p = scene.exact(between * n).position; p.y() >= 0)
                     drawing.add(pic::Ball{
                         .centre = p, .radius = 0.3, .colour = colour, .contact_shadow = true});
-            drawing.add(pic::Label{.at = path.back() + Vector3(0, 0.6, 0), .text = words});
+            const auto there =
+                static_cast<std::size_t>(on * static_cast<double>(path.size() - 1));
+            drawing.add(pic::Label{.at = path[there] + beside, .text = words, .colour = colour});
         };
-        add(none, "no drag", pic::palette::steel);
-        add(honey, "linear", pic::palette::gold);
-        add(air, "quadratic", pic::palette::body);
+        add(none, pic::palette::steel, "no drag", 0.65, {2.5, 0.8, 0});
+        add(linear, pic::palette::gold, "linear", 0.85, {-3, -0.5, 0});
+        add(air, pic::palette::body, "quadratic", 1, {0.5, -2, 0});
         drawing.title("One throw, three models of drag")
             .caption("a ball of " + lab::rounded(air.start.mass) + " kg at " +
                      lab::rounded(air.start.velocity.norm(), "%.0f") + " m/s; an image every " +
