@@ -10,7 +10,7 @@ namespace nutshell {
 
 namespace {
 
-const Look matrix_look{Family::plain, Mark::square, ""},
+const Look matrix_look{Family::runge_kutta, Mark::square, ""},
     four_look{Family::symplectic, Mark::diamond, ""},
     unit_look{Family::symplectic, Mark::diamond, "9 4", true};
 const std::vector<std::size_t> numbers{1,    3,      10,     32,      100,     316,      1000,
@@ -164,7 +164,6 @@ void when_to_convert(lab::Report& report) {
     for (std::size_t i = 0; i < poses; ++i)
         all.push_back(quaternion_about({1, 2, 3}, 0.01 * static_cast<double>(i)));
     chart::Chart chart;
-    chart.title = "When does the matrix pay?";
     chart.subtitle = "A new pose each time, k points on it, plain code. Down is better.";
     chart.x = {"points turned by one pose", chart::Scale::logarithmic};
     chart.y = {"time per pose [ns]", chart::Scale::logarithmic};
@@ -187,6 +186,7 @@ void when_to_convert(lab::Report& report) {
     }
     report.print(table);
     chart.series = {matrix, four};
+    chart.title = "From " + lab::rounded(pays_from) + " points a pose on the matrix pays";
     report.number("cost.pays_from", pays_from);
     report.number("cost.one_by_matrix", matrix.y.front(), "ns");
     report.number("cost.one_by_four_vector", four.y.front(), "ns");

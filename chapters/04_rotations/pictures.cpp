@@ -26,12 +26,20 @@ void question_picture(lab::Report& report) {
         axis(Vector3::UnitX(), "x", pic::palette::angular_velocity);
         axis(z_axis, "z", pic::palette::angular_velocity);
         axis(y_axis, "y", pic::palette::steel);
-        for (const Vector3& along : {Vector3(Vector3::UnitX()), Vector3(z_axis)})
-            drawing.add(pic::Trail{
-                .points =
-                    arc(0.95 * along, along, along.cross(Vector3(0.3, 0.8, 1)), 0.3, 0, 1.5 * pi),
-                .colour = pic::palette::angular_velocity,
-                .width = 4});
+        const auto turn = [&](const Vector3& along, const char* name, double name_at) {
+            const Vector3 from = along.cross(Vector3(0.3, 0.8, 1)), middle = 0.95 * along;
+            const auto ring = arc(middle, along, from, 0.3, 0, 1.5 * pi);
+            drawing.add(
+                pic::Trail{.points = ring, .colour = pic::palette::angular_velocity, .width = 4});
+            drawing.add(
+                pic::Arrow{.from = ring.back(),
+                           .vector = 0.16 * along.cross(ring.back() - middle).normalized(),
+                           .colour = pic::palette::angular_velocity});
+            drawing.add(pic::Label{middle + turned(1.5 * (ring[0] - middle), along, name_at),
+                                   name, pic::palette::angular_velocity});
+        };
+        turn(Vector3::UnitX(), "1st", pi);
+        turn(z_axis, "2nd", pi / 2);
         return pic::Shot{
             drawing, pic::fit(drawing, {0.45, 0.4, 1}, {800, 420}, {.margin = 0.04}), {800, 420}};
     });
@@ -69,8 +77,8 @@ void along_and_across_picture(lab::Report& report) {
         arrow(along, image, pic::palette::body, "");
         drawing.add(pic::Label{along + turned(0.62 * across, n, angle / 2), "θ",
                                pic::palette::angular_velocity});
-        drawing.add(pic::Label{0.5 * along + Vector3(-0.22, 0, 0), "along", pic::palette::ink});
-        drawing.add(pic::Label{along + 0.75 * across + Vector3(-0.05, -0.13, 0), "across",
+        drawing.add(pic::Label{0.45 * along + Vector3(-0.3, 0, 0), "along", pic::palette::ink});
+        drawing.add(pic::Label{along + 0.3 * across + Vector3(-0.02, -0.13, 0), "across",
                                pic::palette::ink});
         return pic::Shot{drawing, pic::fit(drawing, {0.45, 0.42, 1})};
     });

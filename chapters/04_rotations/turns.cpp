@@ -70,11 +70,11 @@ void small_turns(lab::Report& report) {
     lab::Table table{
         {"steps", "one step [degrees]", "length of q, nobody divides", "off [rad], divided"}, {}};
     chart::Figure figure;
-    figure.title = "Two errors of a small turn, and what each needs";
+    figure.title = "Nobody divides: it grows. Divided: it lags";
     figure.subtitle = "One full turn in equal steps by (30*): too long, and too late.";
     chart::Chart longer, late;
-    longer.title = "length of q minus 1, if nobody divides";
-    late.title = "turned too little [rad], divided each time";
+    longer.title = "too long, if nobody divides";
+    late.title = "too late, divided each time";
     chart::Series length{"length"}, lag{"lag"}, length_theory{"theory"}, lag_theory{"theory"};
     length.look = Look{Family::explicit_one_step, Mark::circle};
     lag.look = Look{Family::explicit_one_step, Mark::square};
@@ -104,7 +104,7 @@ void small_turns(lab::Report& report) {
         one->x = {"steps in a full turn", chart::Scale::logarithmic};
         one->y = {"", chart::Scale::logarithmic};
     }
-    longer.y.name = "length - 1", late.y.name = "angle missing [rad]";
+    longer.y.name = "length − 1", late.y.name = "angle missing [rad]";
     longer.guides = {-1}, late.guides = {-2};
     late.tolerance = {scene.need.tolerance, "one pixel, arm of 300"};
     longer.series = {length, length_theory}, late.series = {lag, lag_theory};

@@ -48,7 +48,6 @@ void coning(lab::Report& report) {
                      .scene = "Coning, one round.",
                      .behind = "Two lines of first order, one of second, two of fourth",
                      .guides = {-1, -2, -4},
-                     .lead = "What a pixel costs on the cone",
                      .work = "times ω is asked for"},
                     curves, least, scene.need);
 

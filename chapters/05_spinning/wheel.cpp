@@ -114,8 +114,7 @@ void steady_spin(lab::Report& report) {
     chart.x = {"angle of one step, ω dt [rad]", chart::Scale::logarithmic};
     chart.y = {"angle missing each step [rad]", chart::Scale::logarithmic, 1e-13};
     chart.cut = true;
-    chart::Series first{"first order, divided"}, rk4{"RK4"}, first_law{"2 atan law"},
-        rk4_law{"RK4's law"};
+    chart::Series first{"first order, divided"}, rk4{"RK4"}, first_law{"the laws"}, rk4_law{""};
     first.look = methods::first_order_unit.look;
     rk4.look = methods::rk4_pose.look;
     first_law.draw = rk4_law.draw = chart::Draw::theory;
@@ -187,6 +186,8 @@ void engines(lab::Report& report) {
     rule("exponential, no clamp", "exponential", Look{Family::exponential, Mark::triangle}, 1000);
     rule("first order, divided", "first_order", Look{Family::explicit_one_step, Mark::circle},
          1000 * 2 * std::atan(theta / 2) / theta);
+    rule("clamped by halves", "by_halves", Look{Family::peer, Mark::triangle_down},
+         1000 * clamped_by_halves(theta, pi / 4) / theta);
     rule("clamped to 45° a step", "clamp_step", Look{Family::peer, Mark::square},
          part(clamped(wheel.omega(), dt, pi / 4)));
     rule("clamped to 47.1 rad/s", "clamp_speed", Look{Family::peer, Mark::diamond},
@@ -204,20 +205,14 @@ void wagon(lab::Report& report) {
     chart.subtitle = "Eight equal spokes, 24 pictures a second; dashed: the wheel itself.";
     chart.x = {"wheel [turns/s]"};
     chart.y = {"seen [turns/s]"};
-    const auto piece = [&](const char* name) {
-        chart::Series series{name};
-        series.look = Look{Family::implicit, Mark::circle}, series.draw = chart::Draw::line;
-        return series;
-    };
-    chart::Series seen = piece("");
+    chart::Series seen{"seen"};
+    seen.look = Look{Family::implicit, Mark::circle}, seen.draw = chart::Draw::line;
     double before = 0;
     for (int i = 0; i <= 1200; ++i) {
         const double rate = i / 200.0, turn = 2 * pi * rate / pictures_a_second;
         const double shown = seen_turn(turn, spokes) * pictures_a_second / (2 * pi);
-        if (shown < before - 1) {  // from half a spoke forwards to half a spoke backwards
-            chart.series.push_back(seen);
-            seen = piece("seen");
-        }
+        if (shown < before - 1)  // from half a spoke forwards to half a spoke backwards: a gap
+            seen.x.push_back(rate), seen.y.push_back(std::nan(""));
         seen.x.push_back(rate), seen.y.push_back(shown);
         before = shown;
     }

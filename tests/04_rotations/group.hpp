@@ -21,7 +21,7 @@ inline std::vector<nutshell::Vector3> axes() {
 
 /// Angles of both signs: tiny ones, those near 0, pi, 2 pi and 4 pi, and some between.
 inline std::vector<double> angles() {
-    std::vector<double> all{0, 1e-300, 1e-170, 1e-12, 1e-8, 9.99e-5, 1.01e-4, 2.1e-4, 1e-3, 0.1};
+    std::vector<double> all{0, 1e-300, 1e-170, 1e-12, 1e-8, 9.99e-5, 1.01e-4, 2.1e-4, 1e-3, 0.01, 0.03, 0.1};
     for (int half_turns = 1; half_turns <= 4; ++half_turns)
         for (const double near : {-0.3, -1e-3, -1e-8, 0.0, 1e-8, 1e-3, 0.3})
             all.push_back(half_turns * nutshell::pi + near);

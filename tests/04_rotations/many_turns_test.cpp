@@ -63,6 +63,28 @@ TEST_CASE(
     }
 }
 
+TEST_CASE("where a float stretches by itself it is the one rounding of its step, made a million times") {
+    // The rest is the rounding of a million products. Always one way, they would make 1e6 * 6e-8; less than a
+    // tenth of that is left of them.
+    const double rest = 0.1 * 1e6 * 6e-8;
+    double least = 1, most = 0;
+    for (const Vector3& axis : stated_axes) {
+        CAPTURE(axis.transpose());
+        for (const Keeper keeper :
+             {Keeper::printed_matrix, Keeper::float_matrix, Keeper::float_four_vector}) {
+            CAPTURE(name_of(keeper));
+            const Wear worn = wear({axis}, keeper), step = wear_by_step_alone({axis}, keeper);
+            CHECK(std::abs(worn.stretch - step.stretch) <= rest);
+            CHECK(std::abs(worn.volume - step.volume) <= rest);
+            CHECK(step.stretch > 2 * rest);
+        }
+        // of a float 4-vector it is that of w = cos(0.004), whatever the axis
+        const double stretch = wear_by_step_alone({axis}, Keeper::float_four_vector).stretch;
+        least = std::min(least, stretch), most = std::max(most, stretch);
+    }
+    CHECK(most - least <= 0.01 * most);
+}
+
 TEST_CASE("wear is measured: a stretched, turned matrix tells its stretch, its volume and its angle") {
     const Quaternion q = quaternion_about({1, 2, 3}, 0.8);
     const Wear turned_on = wear_of(Matrix3(1.1 * rotation_matrix(product(exponential({0.02, 0, 0}), q))), q);

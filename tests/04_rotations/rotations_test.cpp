@@ -97,7 +97,7 @@ TEST_CASE("the logarithm undoes the exponential: the shorter way, to the last di
     CHECK(logarithm(four_vector({0, 1, 0}, 0)).isApprox(Vector3(0, pi, 0), identity));
     // the length of q does not matter
     const Quaternion q = quaternion_about({1, 2, 3}, 0.7);
-    for (const double length : {0.5, 3.0})
+    for (const double length : {0.5, 3.0, 1e-100, 1e100})
         CHECK((logarithm(Quaternion(q.coeffs() * length)) - logarithm(q)).norm() <= identity);
 }
 
@@ -124,6 +124,8 @@ TEST_CASE("bad input is refused in words") {
     CHECK_THROWS_WITH(checked(four_vector({nan, 0, 0}, 1)), ContainsSubstring("not finite"));
     CHECK_THROWS_WITH(normalised(four_vector({0, 0, 0}, 0)), ContainsSubstring("no orientation"));
     CHECK_THROWS_WITH(normalised(four_vector({0, infinity, 0}, 0)), ContainsSubstring("not finite"));
+    for (const double length : {1e-170, 1e170})  // its square is zero, or infinite
+        CHECK_THROWS_WITH(normalised(four_vector({0, length, 0}, 0)), ContainsSubstring("no orientation"));
     CHECK(checked(four_vector({0, 0, 0}, 1)).w() == 1);
     CHECK(apart(normalised(four_vector({0, 3, 0}, 4)), four_vector({0, 0.6, 0}, 0.8)) <= identity);
 }

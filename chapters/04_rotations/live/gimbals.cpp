@@ -52,8 +52,8 @@ class LiveGimbals : public live::Figure {
     pic::Size size() const override { return {480, 480}; }
     pic::Camera camera(pic::Size size) const override {
         pic::Drawing room = gimbals(angles_);
-        room.stage({{0, 0.15, 0}, 2.2});
-        return pic::fit(room, {-0.5, 0.75, 1}, size, {.margin = 0.02});
+        room.stage({{0, 0.15, 0}, 2.2}).title("room for a title");
+        return pic::fit(room, {-0.5, 0.75, 1}, size, {.margin = 0.06});
     }
     std::vector<live::Number> numbers() const override {
         const Vector3 roll = rotate(orientation_of(angles_), Vector3::UnitZ());

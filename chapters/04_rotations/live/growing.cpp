@@ -72,7 +72,7 @@ class LiveGrowing : public live::Figure {
     pic::Size size() const override { return {420, 420}; }
     pic::Camera camera(pic::Size size) const override {
         pic::Drawing room;
-        room.add(pic::Ball{.radius = 1.7});
+        room.add(pic::Ball{.radius = 2.2});
         return pic::fit(room, {0.5, 0.6, 1}, size, {.margin = 0.02});
     }
     std::vector<live::Number> numbers() const override {

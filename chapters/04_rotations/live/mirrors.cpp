@@ -55,7 +55,8 @@ class LiveMirrors : public live::Figure {
         add_mirror(drawing, first_ + on, "1st");
         add_mirror(drawing, first_ + on + between_, "2nd");
         add_letter(drawing, {}, pic::palette::body, pic::Look::solid);
-        add_letter(drawing, {a}, pic::palette::steel, pic::Look::ghost);
+        add_letter(drawing, {a}, pic::mix(pic::palette::steel, pic::palette::paper, 0.35F),
+                   pic::Look::solid);
         add_letter(drawing, {a, b}, pic::palette::gold, pic::Look::solid);
         const double foot = 0.17;  // the letter stands a little above the x axis
         add_arc(drawing, 0.5, first_ + on, first_ + on + between_, pic::palette::ink, "θ/2");
@@ -100,7 +101,7 @@ class LiveMirrors : public live::Figure {
         const Vector3 x = Vector3::UnitX(), z = Vector3::UnitZ();
         drawing.add(pic::Trail{
             .points = arc({0, 0, 0}, z, x, r, from, to), .colour = colour, .width = 4});
-        drawing.add(pic::Label{turned((r + 0.17) * x, z, (from + to) / 2), name, colour});
+        drawing.add(pic::Label{turned((r + 0.13) * x, z, (from + to) / 2), name, colour});
     }
     /// A letter F that lies flat, seen in some mirrors one after the other: a mirrored one can be
     /// told from a turned one.

@@ -41,6 +41,11 @@ class LiveWay : public live::Figure {
         drawing.add(pic::Ball{.radius = 0.97, .colour = pic::palette::steel, .orientation = q});
         const auto slerp_way = [&](double s) { return slerp(scene_.from, scene_.to, s); };
         add_way(drawing, slerp_way, pic::palette::ink, 1.0, 1, 0);
+        for (int i = 0; choice_ == 1 && i <= 10 && i <= 10 * shown + 1e-9; ++i)  // slerp's dots
+            drawing.add(pic::Ball{.centre = rotate(slerp_way(i / 10.0), Vector3::UnitZ()),
+                                  .radius = 0.085,
+                                  .colour = pic::palette::exponential,
+                                  .look = pic::Look::ghost});
         add_way(
             drawing, [&](double s) { return pose(s); }, colour(), 1.0, shown, 0.05);
         const Vector3 nose = rotate(q, Vector3::UnitZ());
@@ -51,7 +56,9 @@ class LiveWay : public live::Figure {
     pic::Camera camera(pic::Size size) const override {
         const Vector3 middle = rotate(scene_.by_angles(0.5), Vector3::UnitZ()) +
                                rotate(slerp(scene_.from, scene_.to, 0.5), Vector3::UnitZ());
-        return pic::fit(drawing(1), middle, size, {.margin = 0.02});
+        pic::Drawing room = drawing(1);
+        room.title("room for a title");
+        return pic::fit(room, middle, size, {.margin = 0.02});
     }
     std::vector<live::Number> numbers() const override {
         const double h = 1e-3, now = std::min(1.0 - h, std::max(h, time()));

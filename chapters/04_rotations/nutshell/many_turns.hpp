@@ -122,6 +122,12 @@ Pose repeated(const Pose& step, Pose pose, long n, const Straighten& straighten)
     return pose;
 }
 
+/// The printed class's step, in the sense of ours: it turns by -v (E51).
+inline Eigen::Matrix3f printed_step(const ManyTurns& scene) {
+    const Vector3 v = -scene.angle * direction_of(scene.axis);
+    return printed::rotation(v.cast<float>());
+}
+
 template <class Scalar>
 Wear four_vector_wear(const ManyTurns& scene, bool unit) {
     using Q = Eigen::Quaternion<Scalar>;
@@ -150,11 +156,29 @@ inline Wear wear(const ManyTurns& scene, Keeper keeper) {
     if (keeper == Keeper::float_four_vector_unit) return four_vector_wear<float>(scene, true);
     if (keeper == Keeper::double_four_vector) return four_vector_wear<double>(scene, false);
     if (keeper == Keeper::double_four_vector_unit) return four_vector_wear<double>(scene, true);
-    const Vector3 v = -scene.angle * direction_of(scene.axis);  // E51: it turns by -v
-    const Eigen::Matrix3f step = printed::rotation(v.cast<float>());
+    const Eigen::Matrix3f step = printed_step(scene);
     Eigen::Matrix3f pose = Eigen::Matrix3f::Identity();
     for (long i = 0; i < scene.turns; ++i) pose = printed::product(step, pose);
     return wear_of(Matrix3(pose.cast<double>()), scene.exact(scene.turns));
+}
+
+/// What the rounding of the step does by itself: the step of a float keeper (one that is never
+/// made straight), but its million turns made in double.
+inline Wear wear_by_step_alone(const ManyTurns& scene, Keeper keeper) {
+    using namespace many_turns_parts;
+    const Quaternion exact = scene.exact(scene.turns);
+    if (keeper == Keeper::float_four_vector) {
+        const Eigen::Quaternionf step = quaternion_about(scene.axis, scene.angle).cast<float>();
+        return wear_of(repeated(step.cast<double>(), four_vector({0, 0, 0}, 1), scene.turns,
+                                [](Quaternion&) {}),
+                       exact);
+    }
+    const Eigen::Matrix3f step = keeper == Keeper::printed_matrix
+                                     ? printed_step(scene)
+                                     : rotation_about(scene.axis, scene.angle).cast<float>();
+    return wear_of(repeated(Matrix3(step.cast<double>()), Matrix3(Matrix3::Identity()),
+                            scene.turns, [](Matrix3&) {}),
+                   exact);
 }
 
 }  // namespace nutshell

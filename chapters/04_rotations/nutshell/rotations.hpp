@@ -108,12 +108,14 @@ inline Quaternion checked(const Quaternion& q) {
     return q;
 }
 
-/// q divided by its length. @throws std::invalid_argument if it is zero or not finite
+/// q divided by its length. @throws std::invalid_argument if a number is not finite, or its length
+/// is zero, below 1e-100 or above 1e100: then its square is no number to divide by
 inline Quaternion normalised(const Quaternion& q) {
     require_finite(q.coeffs(), "the 4-vector to normalise");
-    require(q.squaredNorm() > 0,
-            "the 4-vector (0, 0, 0, 0) is no orientation: nothing is its "
-            "direction, so it cannot be normalised");
+    const double square = q.squaredNorm();
+    require(square > 1e-200 && square < 1e200,
+            "a 4-vector whose length is zero, or far from any number that turns leave, is no "
+            "orientation: it cannot be normalised");
     return q.normalized();
 }
 
@@ -189,7 +191,8 @@ inline Quaternion exponential(const Vector3& a) {
 
 // [logarithm]
 /// The rotation vector [rad] of q, the shorter way round: its length is at most pi, and q and -q
-/// have the same. The inverse of `exponential`. q may have any length but zero. Eq. (4.g).
+/// have the same. The inverse of `exponential`. The length of q does not matter, from 1e-100 to
+/// 1e100; of (0, 0, 0, 0) there is no direction, and NaN comes out. Eq. (4.g).
 inline Vector3 logarithm(const Quaternion& q) {
     // exercise 4.7
     const double sign = q.w() < 0 ? -1 : 1;

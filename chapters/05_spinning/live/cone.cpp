@@ -20,16 +20,16 @@ class LiveCone : public live::Figure {
     }
     std::vector<live::State> states() const override {
         return {{.key = "exponential",
-                 .words = "exponential, 24 steps",
+                 .words = "exponential, 24 steps: off",
                  .setting = {0, {24}},
                  .time = 2},
                 {.key = "midpoint",
-                 .words = "midpoint, 24 steps",
+                 .words = "midpoint, 24 steps: hardly off",
                  .setting = {1, {24}},
                  .time = 2,
                  .drawn = true},
                 {.key = "magnus",
-                 .words = "Magnus 4, 24 steps",
+                 .words = "Magnus 4, 24 steps: on the path",
                  .setting = {2, {24}},
                  .time = 2,
                  .drawn = true}};

@@ -1,4 +1,5 @@
-// A rolling wheel, with the velocity of its points and the path of one of them.
+// A rolling wheel, with the velocity of its points and the path of one of them; turned by first
+// order it slips.
 #include <nutshell/live/figure.hpp>
 #include "../drawings.hpp"
 
@@ -8,28 +9,56 @@ namespace {
 
 class LiveRolling : public live::Figure {
   public:
-    std::vector<live::State> states() const override {
-        return {{.key = "rolling", .words = "", .setting = {}, .time = 1.7}};
+    std::vector<live::Choice> choices() const override {
+        return {
+            {"exponential", "exponential", {Family::exponential, Mark::triangle}},
+            {"first_order", "first order, divided", {Family::explicit_one_step, Mark::circle}}};
     }
-    void begin(const live::Setting&) override { q_ = scene_.start, steps_ = 0; }
+    std::vector<live::Slider> sliders() const override {
+        return {{.name = "steps in a turn", .least = 4, .most = 256, .start = 128}};
+    }
+    std::vector<live::State> states() const override {
+        return {{.key = "rolling",
+                 .words = "exponential, 128 steps a turn",
+                 .setting = {0, {128}},
+                 .time = 1.7},
+                {.key = "slipping",
+                 .words = "first order, 8 steps a turn",
+                 .setting = {1, {8}},
+                 .time = 4}};
+    }
+    void begin(const live::Setting& setting) override {
+        setting_ = setting;
+        steps_a_turn_ = std::round(setting.values.at(0));
+        require_positive(steps_a_turn_, "steps in a turn");
+        q_ = scene_.start, steps_ = 0;
+        path_ = {painted()};
+    }
     double time() const override { return static_cast<double>(steps_) * step_size(); }
-    double step_size() const override { return 1.0 / 64; }
+    double step_size() const override {
+        return 2 * pi * scene_.radius / scene_.speed / steps_a_turn_;
+    }
     void step() override {
-        q_ = exponential_map(q_, scene_, time(), step_size());
+        if (static_cast<double>(steps_) >= 2 * steps_a_turn_) return begin(setting_);  // again
+        q_ = setting_.choice == 0 ? exponential_map(q_, scene_, time(), step_size())
+                                  : first_order_unit(q_, scene_, time(), step_size());
         ++steps_;
-        if (time() > scene_.duration) begin({});  // it starts again
+        path_.push_back(painted());
     }
     pic::Drawing drawing(double) const override {
         const double r = scene_.radius;
         pic::Drawing drawing;
         drawing.ground({.height = 0, .spacing = 0.5});
-        pic::Trail cycloid{.points = {}, .colour = pic::palette::gold, .width = 4};
-        const Vector3 lowest(0, -r, 0);
-        for (int i = 0; i <= 120; ++i) {
-            const double t = time() * i / 120;
-            cycloid.points.push_back(scene_.point(scene_.exact(t), t, lowest));
+        if (time() > 0) {
+            pic::Trail cycloid{
+                .points = {}, .colour = pic::palette::ink, .dashed = true, .width = 2};
+            for (int i = 0; i <= 120; ++i) {
+                const double t = time() * i / 120;
+                cycloid.points.push_back(scene_.point(scene_.exact(t), t, {0, -r, 0}));
+            }
+            if (setting_.choice == 1) drawing.add(cycloid);
+            drawing.add(pic::Trail{.points = path_, .colour = pic::palette::gold, .width = 4});
         }
-        if (time() > 0) drawing.add(cycloid);
         // the painted spoke, which starts upwards in the picture of a wheel, starts downwards
         const Quaternion shown = product(q_, quaternion_about(Vector3::UnitZ(), pi));
         add_wheel(drawing, shown, scene_.centre(time()), r, 8, pic::palette::body, true);
@@ -52,15 +81,24 @@ class LiveRolling : public live::Figure {
         return pic::fit(room, {0.05, 0.12, 1}, size, {.margin = 0.02});
     }
     std::vector<live::Number> numbers() const override {
-        const Vector3 painted(0, -scene_.radius, 0);
-        return {{"speed of the painted point", scene_.velocity(q_, painted).norm(), "m/s",
-                 live::Number::Trace::linear}};
+        using Trace = live::Number::Trace;
+        const Vector3 lowest(0, -scene_.radius, 0);
+        return {{"speed of the painted point", scene_.velocity(q_, lowest).norm(), "m/s",
+                 Trace::linear},
+                {"off", 1000 * scene_.error(q_, time()), "mm", Trace::linear}};
     }
     std::vector<double> state() const override { return {q_.x(), q_.y(), q_.z(), q_.w()}; }
+    double page_tolerance() const override {
+        return 1e-12;
+    }  // sin and cos in every step, a thousand of them
 
   private:
+    Vector3 painted() const { return scene_.point(q_, time(), {0, -scene_.radius, 0}); }
     RollingWheel scene_;
+    live::Setting setting_{0, {128}};
     Quaternion q_ = four_vector({0, 0, 0}, 1);
+    std::vector<Vector3> path_;
+    double steps_a_turn_ = 128;
     long steps_ = 0;
 };
 

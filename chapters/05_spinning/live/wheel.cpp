@@ -57,14 +57,19 @@ class LiveWheel : public live::Figure {
     }
     std::string ended() const override {
         if (q_.norm() < 3) return {};
-        return "The 4-vector is three times too long: its matrix would make the wheel " +
-               digits(std::round(q_.squaredNorm())) + " times as large.";
+        return "The 4-vector is three times too long: its matrix is no rotation any more.";
     }
     pic::Drawing drawing(double) const override {
         pic::Drawing drawing;
         drawing.stage({{0, 0, 0}, 1.35}).no_ground();
-        add_wheel(drawing, scene_.exact(time()), {0, 0, -0.12}, 1, 1, pic::palette::ink, true,
+        const Vector3 behind(0, 0,
+                             -0.12);  // the true wheel: its rim pale, its painted spoke black
+        add_wheel(drawing, scene_.exact(time()), behind, 1, 0, pic::palette::ink, false,
                   pic::Look::ghost);
+        drawing.add(pic::Rod{.from = behind,
+                             .to = behind + rotate(scene_.exact(time()), Vector3::UnitY()),
+                             .radius = 0.03,
+                             .colour = pic::palette::ink});
         const double size = std::min(2.0, q_.squaredNorm());
         add_wheel(drawing, q_.normalized(), {0, 0, 0}, size, 8, colour(), true);
         return drawing;

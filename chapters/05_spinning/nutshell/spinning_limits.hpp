@@ -42,6 +42,16 @@ inline Vector3 clamped(const Vector3& omega, double dt, double most) {
     const double turn = omega.norm() * dt;
     return turn > most ? Vector3(omega * (most / turn)) : omega;
 }
+
+/// The angle [rad] that is left of a turn by theta, 0 or more, in one step, where the clamp is made
+/// by halves: the angle under sine and cosine is cut to `most`, the vector part is multiplied by the
+/// whole speed and divided by the cut one, and all is made as long as one. So does Bullet 3, with
+/// pi/4. @throws std::invalid_argument unless most is between 0 and pi
+inline double clamped_by_halves(double theta, double most) {
+    require(most > 0 && most < pi,
+            "clamped_by_halves: the largest turn [rad] is between 0 and pi");
+    return theta > most ? 2 * std::atan(std::tan(most / 2) * theta / most) : theta;
+}
 // [/clamp]
 
 }  // namespace nutshell
