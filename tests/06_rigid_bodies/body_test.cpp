@@ -45,6 +45,31 @@ TEST_CASE(
     CHECK(seesaw.force == Vector3(0, -700, 0));
 }
 
+TEST_CASE(
+    "Forces at points of a body: what they do about the centre and at it is their torque about the origin") {
+    // Which point a body's L is taken about may move as it likes, if it is the centre of mass: the sum of the
+    // torque about the centre and of the force at the centre is the torque about a point that stands still.
+    const Body before = some_body({1, 2, 2.5});
+    const double dt = 0.1;
+    Wrench push;
+    Vector3 about_origin = Vector3::Zero();
+    for (const auto& [force, r] : {std::pair{Vector3(3, -1, 2), Vector3(0.4, 0.1, -0.9)},
+                                   {Vector3(-2, 5, 1), Vector3(-0.3, 0.8, 0.2)},
+                                   {Vector3(1, 1, -4), Vector3(0, 0, 0)}}) {
+        push = push + force_at(force, rotate(before.orientation, r));
+        about_origin += point_of(before, r).cross(force);
+    }
+    Body body = before;
+    kick(body, push, dt);
+    const double bound = 32 * epsilon * angular_momentum(before).norm();
+    CHECK((angular_momentum(body) - angular_momentum(before) - about_origin * dt).norm() < bound);
+    // and no torque comes from the centre's motion, which is along its momentum
+    const Vector3 kicked = angular_momentum(body);
+    drift(body, dt);
+    CHECK((body.position - before.position).norm() > 0.1);
+    CHECK((angular_momentum(body) - kicked).norm() < bound);
+}
+
 TEST_CASE("L = I omega in world axes, and half omega L is the energy") {
     for (const Vector3& inertia : {Vector3(1, 2, 2.5), Vector3(1, 1, 0.4), Vector3(2, 2, 2)}) {
         const Body body = some_body(inertia);

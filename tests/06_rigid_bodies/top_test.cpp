@@ -108,6 +108,33 @@ TEST_CASE("Steady precession: the two rates of the formula are the motion's, slo
           0);  // hanging: either way round
 }
 
+TEST_CASE("Without the gyroscopic term a top is a ball on a stick: it nods, and goes round too slowly") {
+    // The weight twists across the axis only, and across it omega' = torque/I1 then, in the world too: the
+    // motion of a body with I1 about every axis, which has no gyroscopic term. Its exact solution is the
+    // reference, and it is another motion than the top's.
+    const HeavyTopScene top = steady_top(0);
+    const Top ball{top.top.across, top.top.across, top.top.weight};
+    Pinned start = top.start;
+    start.inertia = Vector3::Constant(ball.across);
+    start = spinning(start, angular_velocity(top.start));
+    const HeavyTop exact(ball, start);
+    Convergence c;
+    for (const long steps : {6000, 12'000, 24'000}) {
+        double worst = 0;
+        lab::run(top, methods::engine_step_without_gyroscopic, steps, [&](const Pinned& b, double t) {
+            const Vector3 axis = rotate(exact.pose(t), {0, 0, 1});
+            worst = std::max(worst, (top.centre(b) - 0.5 * axis).norm());
+        });
+        c.dt.push_back(10. / static_cast<double>(steps)), c.error.push_back(worst);
+    }
+    CHECK_THAT(c, HasOrder(1));
+    const auto [largest, smallest] = exact.swing();
+    CHECK(largest == Approx(pi / 6).epsilon(1e-9));
+    // Euler's equations less the term, integrated elsewhere (SciPy's DOP853, 1e-12), looked at 400 times a second
+    CHECK(smallest * 180 / pi == Approx(27.135276).epsilon(1e-6));
+    CHECK(lab::measure(top, methods::engine_step_without_gyroscopic, 6000).max_error > 0.3);
+}
+
 TEST_CASE("The sleeping top wakes where L3^2 = 4 I1 m g l: found by running to 1 %") {
     const Top top = standard_top();
     // 1 % below the limit the lean grows by a factor e in 1.8 s; above it swings
