@@ -89,7 +89,7 @@ void errors(lab::Report& report) {
 void picture_of_errors(lab::Report& report) {
     const ThrownThing scene = tumbling_hammer();
     chart::Chart chart;
-    chart.title = "How much model does a tumbling hammer need?";
+    chart.title = "A tumbling hammer needs all of a body";
     chart.subtitle = "Distance of its grip from the truth.";
     chart.x = {"time [s]", chart::Scale::linear, 0};
     chart.y = {"distance [m]", chart::Scale::logarithmic};

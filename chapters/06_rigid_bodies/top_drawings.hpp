@@ -42,11 +42,12 @@ inline void add_handle(pic::Drawing& drawing, const Quaternion& q, const Vector3
                           .look = look});
 }
 
-/// A spanner along its body's x: shaft, jaw at +x, a ring at the other end.
+/// A spanner along its body's x: shaft, jaw at +x, a ring at the other end; `times` as large as
+/// it is.
 inline void add_spanner(pic::Drawing& drawing, const Quaternion& q, const Vector3& at,
-                        pic::Colour colour, pic::Look look = pic::Look::solid) {
+                        double times, pic::Colour colour, pic::Look look = pic::Look::solid) {
     const auto put = [&](const Vector3& middle, const Vector3& half) {
-        drawing.add(block(q, at, middle, half, colour, look));
+        drawing.add(block(q, at, times * middle, times * half, colour, look));
     };
     put({0, 0, 0}, {0.085, 0.011, 0.005});
     put({0.088, 0, 0}, {0.012, 0.024, 0.008});
@@ -54,8 +55,8 @@ inline void add_spanner(pic::Drawing& drawing, const Quaternion& q, const Vector
     put({0.109, -0.018, 0}, {0.014, 0.007, 0.008});
     put({-0.095, 0, 0}, {0.016, 0.016, 0.008});
     if (look == pic::Look::solid)
-        drawing.add(pic::Ball{.centre = at + rotate(q, Vector3(0.12, 0, 0)),
-                              .radius = 0.012,
+        drawing.add(pic::Ball{.centre = at + rotate(q, Vector3(0.12 * times, 0, 0)),
+                              .radius = 0.012 * times,
                               .colour = pic::palette::gold});
 }
 

@@ -76,7 +76,7 @@ struct RateInBody {
                       });
                   }},
                  {"no gyroscopic term", "classic: the default of several engines",
-                  "The top goes round three times too slowly.",
+                  "The top nods and goes round almost four times too slowly.",
                   "M changes by the torque only. Seen from the body, L turns back as well.",
                   [](F y, V J, V torque) -> FlatPinned {
                       return with(y, J,

@@ -59,7 +59,8 @@ struct PointInertia {
                       return inertia;
                   }},
                  {"products of inertia with a plus", "classic: CAD programs list them so",
-                  "A lopsided wheel wobbles to the wrong side.",
+                  "A wheel with a heavy place on its outer rim wobbles as if it were on "
+                  "the inner one.",
                   "The entries off the diagonal have the wrong sign: they are minus m times the "
                   "product of two components.",
                   [](double mass, const Vector3& r) -> Matrix3 {
@@ -68,7 +69,8 @@ struct PointInertia {
                       return inertia;
                   }},
                  {"only the diagonal", "classic: three numbers are enough",
-                  "A wheel with one heavy spot spins as if it were balanced.",
+                  "A wheel heavy at two opposite places, one on each rim, spins as if it "
+                  "were balanced.",
                   "You leave the entries off the diagonal at zero. They are what makes L point "
                   "away from omega.",
                   [](double mass, const Vector3& r) -> Matrix3 {

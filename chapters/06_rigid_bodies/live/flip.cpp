@@ -70,12 +70,12 @@ class LiveFlip : public live::Figure {
                                .vector = run_.newest.angular_momentum * 0.36,
                                .colour = pic::palette::angular_momentum,
                                .label = "L",
-                               .width = 7});
+                               .width = 10});
         drawing.add(pic::Arrow{.from = {0, 0, 0},
                                .vector = shown_omega(),
                                .colour = pic::palette::angular_velocity,
                                .label = "ω",
-                               .width = 5});
+                               .width = 8});
         return drawing;
     }
     pic::Size size() const override { return {340, 420}; }

@@ -96,9 +96,10 @@ class LivePolhode : public live::Figure {
             .centre = place(omega()), .radius = 0.09, .colour = pic::palette::angular_velocity});
         const std::array<const char*, 3> names{"smallest moment", "middle", "largest"};
         for (int axis = 0; axis < 3; ++axis) {
-            const Vector3 end = on_ellipsoid(scene_, Vector3::Unit(axis));
-            drawing.add(pic::Arrow{.from = end,
-                                   .vector = 0.45 * Vector3::Unit(axis),
+            // the end of the axis that the camera sees
+            const Vector3 out = (axis == 0 ? -1 : 1) * Vector3::Unit(axis);
+            drawing.add(pic::Arrow{.from = on_ellipsoid(scene_, out),
+                                   .vector = 0.45 * out,
                                    .colour = pic::palette::ink,
                                    .label = names[static_cast<std::size_t>(axis)],
                                    .width = 3});
@@ -109,7 +110,7 @@ class LivePolhode : public live::Figure {
     pic::Camera camera(pic::Size size) const override {
         pic::Drawing room;
         room.add(pic::Ball{.radius = 2.6});
-        return pic::fit(room, {0.75, 0.55, 1}, size, {.margin = 0.02});
+        return pic::fit(room, {-0.7, 0.55, 1}, size, {.margin = 0.02});
     }
     std::vector<live::Number> numbers() const override {
         using Trace = live::Number::Trace;

@@ -7,6 +7,8 @@ namespace nutshell {
 
 namespace {
 
+constexpr double times = 2.5;  // the spanner is drawn larger than it is, and so is its tip's way
+
 constexpr std::tuple that_throw_it{methods::kick_magnus_kick, methods::verlet,
                                    methods::printed_step, methods::corrected_step,
                                    methods::engine_step_without_gyroscopic};
@@ -56,9 +58,9 @@ class LiveThrown : public live::Figure {
         for (int i = 0; i <= 60; ++i) parabola.push_back(scene_.exact(i / 60.).position);
         for (int i = 0; i <= 200; ++i) {
             const double t = time() * i / 200;
-            exact_tip.push_back(point_of(scene_.exact(t), scene_.tip));
+            exact_tip.push_back(point_of(scene_.exact(t), times * scene_.tip));
         }
-        for (const Body& body : shown_) tip.push_back(point_of(body, scene_.tip));
+        for (const Body& body : shown_) tip.push_back(point_of(body, times * scene_.tip));
         drawing.add(pic::Trail{
             .points = parabola, .colour = pic::palette::velocity, .dashed = true, .width = 3});
         if (tip.size() > 1) {
@@ -69,8 +71,8 @@ class LiveThrown : public live::Figure {
                                    .opacity = 0.6});
             drawing.add(pic::Trail{.points = tip, .colour = colour_of(family_), .width = 4});
         }
-        // as a stroboscope shows it: nine flashes in the second
-        const double flash = scene_.duration / 8;
+        // as a stroboscope shows it: seven flashes in the second
+        const double flash = scene_.duration / 6;
         double next = 0;
         for (std::size_t i = 0; i < shown_.size(); ++i) {
             const double t = static_cast<double>(i) * step_size();
@@ -79,9 +81,10 @@ class LiveThrown : public live::Figure {
             if (t + 1e-9 >= next) next += flash;
             const Body exact = scene_.exact(t);
             if (angle_between(exact.orientation, shown_[i].orientation) > 0.1)
-                add_spanner(drawing, exact.orientation, exact.position, pic::palette::ink,
+                add_spanner(drawing, exact.orientation, exact.position, times, pic::palette::ink,
                             pic::Look::ghost);
-            add_spanner(drawing, shown_[i].orientation, shown_[i].position, pic::palette::body);
+            add_spanner(drawing, shown_[i].orientation, shown_[i].position, times,
+                        pic::palette::body);
             drawing.add(pic::Ball{
                 .centre = shown_[i].position, .radius = 0.014, .colour = pic::palette::velocity});
         }

@@ -13,7 +13,8 @@ struct Top {
     double weight = 1;             ///< m g l [N m], l from the pivot to the centre
 };
 
-/// A pinned top: the weight's torque [N m], eq. (6.a); up is the world's y.
+/// The torque [N m], world axes, of a pinned top's weight; up is the world's y. Source: eq. (42).
+/// @param axis  of the top, from the pivot to the centre, length one, world axes
 inline Vector3 weight_torque(const Top& top, const Vector3& axis) {
     return top.weight * Vector3(axis.z(), 0, -axis.x());  // l axis x (0, -m g, 0)
 }

@@ -22,9 +22,11 @@ inline Motion operator*(double factor, const Motion& m) {
             {factor * m.push.force, factor * m.push.torque}};
 }
 
+/// The motion of a body under a push [N], [N m] about its centre, world axes.
 inline Motion motion(const Body& body, const Wrench& push) {
     return {velocity(body), angular_velocity(body), push};
 }
+/// The same of a pinned one, whose torque is about the pivot.
 inline Motion motion(const Pinned& body, const Wrench& push) {
     return {Vector3::Zero(), angular_velocity(body), push};
 }
@@ -36,6 +38,7 @@ inline Body moved(Body body, const Motion& m) {
     body.angular_momentum += m.push.torque;
     return body;
 }
+/// The same of a pinned one.
 inline Pinned moved(Pinned body, const Motion& m) {
     body.orientation = product(series_exponential(m.angular_velocity), trimmed(body.orientation));
     body.angular_momentum += m.push.torque;
@@ -72,11 +75,13 @@ State lie_rk4(const State& state, const Forces& forces, double t, double dt) {
 /// Nothing keeps the 4-vector's length at one.
 using FlatPinned = Eigen::Matrix<double, 7, 1>;
 
+/// To seven numbers ...
 inline FlatPinned flat(const Pinned& body) {
     FlatPinned y;
     y << body.orientation.coeffs(), rotate(inverse(body.orientation), body.angular_momentum);
     return y;
 }
+/// ... and back, the 4-vector made as long as one. @param like  has the moments [kg m^2]
 inline Pinned unflat(const FlatPinned& y, Pinned like) {
     like.orientation.coeffs() = y.head<4>().normalized();
     like.angular_momentum = rotate(like.orientation, y.tail<3>());
@@ -97,6 +102,7 @@ inline FlatPinned rate_in_body(const FlatPinned& y, const Vector3& J, const Vect
     // end 6.13
 }
 // [/pinned_flat]
+/// How a pinned body's seven numbers change per second. @param push  [N], [N m], world axes
 inline FlatPinned rate(const Pinned& body, const Wrench& push) {
     return rate_in_body(flat(body), body.inertia.cwiseInverse(), push.torque);
 }
@@ -104,20 +110,24 @@ inline FlatPinned rate(const Pinned& body, const Wrench& push) {
 /// A body as thirteen: position, momentum, and these seven.
 using FlatBody = Eigen::Matrix<double, 13, 1>;
 
+/// A body's turning alone, about its centre.
 inline Pinned turning(const Body& body) {
     return {body.inertia, body.orientation, body.angular_momentum};
 }
+/// To thirteen numbers ...
 inline FlatBody flat(const Body& body) {
     FlatBody y;
     y << body.position, body.momentum, flat(turning(body));
     return y;
 }
+/// ... and back. @param like  has mass [kg] and moments [kg m^2]
 inline Body unflat(const FlatBody& y, Body like) {
     const Pinned turned = unflat(FlatPinned(y.tail<7>()), turning(like));
     like.position = y.head<3>(), like.momentum = y.segment<3>(3);
     like.orientation = turned.orientation, like.angular_momentum = turned.angular_momentum;
     return like;
 }
+/// How these thirteen change per second. @param push  [N], [N m], world axes
 inline FlatBody rate(const Body& body, const Wrench& push) {
     FlatBody y;
     y << velocity(body), push.force, rate(turning(body), push);
