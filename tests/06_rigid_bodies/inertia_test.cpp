@@ -150,6 +150,7 @@ TEST_CASE("Assembly three ways: boxes and mesh integrals agree to round-off, par
         for (const double cell : {0.01, 0.005, 0.0025}) {  // divide every edge
             const MassProperties cloud = by_particles(blocks, cell);
             CHECK(cloud.mass == Approx(exact.mass).epsilon(1e-10));  // a sum of 400 000 terms
+            CHECK((cloud.centre - exact.centre).norm() < 1e-12);
             // what is missing is exactly the cells' own inertia: cubes of this edge, all of the mass
             const Matrix3 missing = exact.mass * cell * cell / 6 * Matrix3::Identity();
             check_close(exact.inertia - cloud.inertia, missing, 1e-10 * exact.inertia.norm());
