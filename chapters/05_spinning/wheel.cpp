@@ -205,6 +205,7 @@ void wagon(lab::Report& report) {
     chart.subtitle = "Eight equal spokes, 24 pictures a second; dashed: the wheel itself.";
     chart.x = {"wheel [turns/s]"};
     chart.y = {"seen [turns/s]"};
+    chart.cut = true;  // a gap is no point that is missing
     chart::Series seen{"seen"};
     seen.look = Look{Family::implicit, Mark::circle}, seen.draw = chart::Draw::line;
     double before = 0;
