@@ -117,6 +117,15 @@ TEST_CASE("The drift of a symmetric body is exact at any step, about whichever a
     }
 }
 
+TEST_CASE("A 4-vector that is a little too long is trimmed to one, but for the square of what it was off") {
+    for (const double off : {1e-6, -1e-6}) {
+        Quaternion q = tilted;
+        q.coeffs() *= 1 + off;
+        // Newton's step for 1/length: 3/2 off^2 is left
+        CHECK(std::abs(trimmed(q).norm() - 1) < 1.6 * off * off);
+    }
+}
+
 TEST_CASE("The drift of any other body is second order, symmetric in time, and keeps L to the bit") {
     const Vector3 inertia(1, 2, 2.5);
     const Body start = some_body(inertia);

@@ -22,7 +22,8 @@ Convergence errors_of(const Scene& scene, const Method& method, const std::vecto
 }
 
 std::vector<Lever> out_of_balance() {
-    return {seesaw(), crowbar(), light_and_far(), heavy_and_near()};
+    // the last one falls to the left, where its arm is the longer one
+    return {seesaw(), crowbar(), light_and_far(), heavy_and_near(), {"oar", 5, -1.5, 0.5, {{10, -1.2}}, 0.3}};
 }
 
 }  // namespace
