@@ -1,4 +1,5 @@
 // Contacts against what can be found without them: projections, corners, fine stepping.
+#include <algorithm>
 #include <nutshell/contacts.hpp>
 #include <set>
 #include "near.hpp"
@@ -134,6 +135,40 @@ TEST_CASE("Boxes with parallel edges, equal boxes in one place: no NaN") {
                       ContainsSubstring("planes only"));
 }
 
+TEST_CASE("A plane and what is in front of it: every contact in the middle of its gap, under its own point") {
+    Chance chance(25);
+    for (int i = 0; i < 300; ++i) {
+        const Plane plane{chance.direction(), chance(-1, 1)};
+        const Body body = turned_body(chance, (plane.offset + chance(-0.2, 1)) * plane.normal);
+        const Sphere ball{0.4};
+        const Box box{{0.3, 0.2, 0.5}};
+        const Capsule rod{0.5, 0.1};
+        std::vector<Vector3> lowest;  // the points that can touch: of the ball, the box, the rod
+        lowest.push_back(body.position - ball.radius * plane.normal);
+        for (int corner = 0; corner < 8; ++corner)
+            lowest.push_back(point_of(body, corner_signs(corner).cwiseProduct(box.half)));
+        for (const int end : {-1, 1})
+            lowest.push_back(point_of(body, {0, end * rod.half_length, 0}) - rod.radius * plane.normal);
+        std::vector<Contact> found;
+        for (const Shape& shape : {Shape{ball}, Shape{box}, Shape{rod}})
+            find_contacts(plane, shape, body, immovable, found);
+        REQUIRE(found.size() == lowest.size());
+        for (std::size_t k = 0; k < found.size(); ++k) {
+            const double gap = distance_to(plane, lowest[k]);
+            CHECK(found[k].separation == near(gap, 1e-14));
+            CHECK((found[k].point - (lowest[k] - gap / 2 * plane.normal)).norm() < 1e-14);
+            CHECK(found[k].normal == plane.normal);
+        }
+        found.clear();
+        const double margin = 0.3;
+        find_contacts(plane, Shape{box}, body, margin, found);
+        const auto near_ones = std::count_if(lowest.begin() + 1, lowest.begin() + 9, [&](const Vector3& p) {
+            return distance_to(plane, p) < margin;
+        });
+        CHECK(found.size() == static_cast<std::size_t>(near_ones));
+    }
+}
+
 TEST_CASE("A sphere and a box touch where the box is nearest, spheres on the line of their centres") {
     Chance chance(23);
     for (int i = 0; i < 1000; ++i) {
@@ -164,12 +199,17 @@ TEST_CASE("Time of impact of a turning box or rod on a plane: not late, and earl
     Chance chance(24);
     int hits = 0;
     for (int i = 0; i < 60; ++i) {
-        const bool rod = i % 2;
-        const Shape shape = rod ? Shape{Capsule{0.5, 0.05}} : Shape{Box{{0.3, 0.3, 0.3}}};
-        Body body = turned_body(chance, {0, chance(0.7, 2), 0});
-        body.inertia = rod ? Vector3(0.09, 0.00125, 0.09) : Vector3::Constant(0.06);
+        const int kind = i % 3;  // a cube, a rod, a plate: two equal moments, so that the motion is exact
+        const bool rod = kind == 1;
+        const Shape shape = rod         ? Shape{Capsule{0.5, 0.05}}
+                            : kind == 0 ? Shape{Box{{0.3, 0.3, 0.3}}}
+                                        : Shape{Box{{0.5, 0.01, 0.5}}};
+        Body body = turned_body(chance, {0, chance(0.75, 2), 0});
+        body.inertia = rod         ? Vector3(0.09, 0.00125, 0.09)
+                       : kind == 0 ? Vector3::Constant(0.06)
+                                   : Vector3(0.0834, 0.1667, 0.0834);
         body.momentum = chance.vector(2);
-        body = spinning(body, chance.vector(rod ? 1 : 5));
+        body = spinning(body, chance.vector(rod ? 1 : kind == 0 ? 5 : 8));
         const Plane floor;
         const Vector3 fall{0, -9.81, 0};
         const double tolerance = 1e-6;

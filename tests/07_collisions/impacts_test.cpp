@@ -195,7 +195,16 @@ TEST_CASE("Too fast to see: a point test misses 1 - h/(v dt) of all starts, a sw
         CHECK(missed / static_cast<double>(starts) == near(p, 2.0 / starts));
         CHECK(swept_missed == 0);
     }
-    CHECK(miss_probability(0.1, 5, 1 / 60.0) == 0);
+    // the limit, to 1 %: at 0.99 of h/dt every start is seen, at 1.01 one in 101 is not
+    for (const double of_limit : {0.99, 1.01}) {
+        const double dt = 1 / 60.0, speed = of_limit * 0.1 / dt;
+        const int starts = 10100;
+        int missed = 0;
+        for (int i = 0; i < starts; ++i)
+            missed += !seen_inside(3 + speed * dt * (i + 0.5) / starts, 0.1, speed, dt);
+        CHECK(missed == (of_limit < 1 ? 0 : starts / 101));
+        CHECK(miss_probability(0.1, speed, dt) == near(of_limit < 1 ? 0 : 1 / 101.0, 1e-12));
+    }
 }
 
 TEST_CASE("Impacts at the door: what cannot collide is named") {

@@ -86,4 +86,21 @@ inline double rolling_acceleration(double slope, double friction, double g = ear
 }
 // [/rolling]
 
+/// The way [m] that a block (or a solid ball that does not turn yet) has slid and rolled down a
+/// slope in t seconds, from `speed` [m/s] downhill: Coulomb's law in closed form. What friction
+/// stops stays where tan(slope) <= mu.
+inline double way_down(double slope, double friction, bool ball, double speed, double t,
+                       double g = earth_gravity) {
+    const double pull = g * std::sin(slope), grip = friction * g * std::cos(slope);
+    const double slides = pull - grip;  // how its speed grows [m/s^2] while it slides
+    // how fast the sliding of its lowest point shrinks: friction turns a ball as well
+    const double shrinks = ball ? 7.0 / 2 * grip - pull : grip - pull;
+    const double until = shrinks > 0 ? speed / shrinks : t;
+    if (shrinks <= 0 || t <= until) return speed * t + slides * t * t / 2;
+    const double way = speed * until + slides * until * until / 2;
+    if (!ball) return way;
+    const double rolls_at = speed + slides * until, left = t - until;
+    return way + rolls_at * left + 5.0 / 7 * pull * left * left / 2;
+}
+
 }  // namespace nutshell
