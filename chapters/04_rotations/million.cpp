@@ -121,10 +121,10 @@ void million_turns(lab::Report& report) {
     ranking.columns = {"time of one turn [ns]"};
     double cheapest = 1e300;
     for (const Keeper keeper : keepers) {
-        Spread stretch, angle, volume;
+        Spread stretch, angle;
         for (const Vector3& axis : stated_axes) {
             const Wear worn = wear({axis}, keeper);
-            stretch.add(worn.stretch), angle.add(worn.angle), volume.add(worn.volume);
+            stretch.add(worn.stretch), angle.add(worn.angle);
         }
         const double time = nanoseconds(keeper);
         table.add({name_of(keeper), stretch.text(), angle.text(), lab::rounded(time)});
@@ -133,10 +133,6 @@ void million_turns(lab::Report& report) {
         const std::string key = "million." + key_of(keeper);
         report.number(key + ".stretch_least", stretch.least);
         report.number(key + ".stretch_most", stretch.most);
-        report.number(key + ".angle_least", angle.least, "rad");
-        report.number(key + ".angle_most", angle.most, "rad");
-        report.number(key + ".volume_least", volume.least);
-        report.number(key + ".volume_most", volume.most);
         report.number(key + ".ns", time, "ns");
         chart::Ranking::Row row{name_of(keeper), look_of(keeper)};
         if (std::max(stretch.most, angle.most) <= pixel.tolerance)
@@ -162,14 +158,10 @@ void million_turns(lab::Report& report) {
     report.number("million.float_enough", static_cast<double>(float_is_enough()), "turns");
     const Wear source = wear({{1, 2, 3}}, Keeper::printed_matrix);
     report.number("million.source.stretch", source.stretch);
-    report.number("million.source.volume", source.volume);
     report.number("million.need", pixel.tolerance);
     report.say(
         "The source's own: printed Rotation in float about (1, 2, 3) ends with |R^T R - 1| = " +
         lab::rounded(source.stretch) + " and det R = " + lab::rounded(source.volume) + ".");
-    // where 1 - cos is zero in float, each turn stretches by sqrt(1 + angle^2)
-    report.number("million.tiny.volume", wear({{1, 2, 3}, 2e-4}, Keeper::printed_matrix).volume);
-    report.number("million.tiny.law", std::exp(1e6 * 2e-4 * 2e-4));
     chart::write_svg(ranking, report.path("million_cost.svg"));
     by_number_of_turns(report);
 }

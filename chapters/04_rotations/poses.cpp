@@ -115,12 +115,6 @@ void three_angles(lab::Report& report) {
     report.say("A motor of " + lab::rounded(near.need.tolerance * degrees) +
                " degrees a second can follow birds that pass at least " +
                lab::rounded(near.speed / near.need.tolerance) + " m beside the zenith.");
-
-    // gimbal lock: at a pitch of 90 degrees yaw and roll are one turn
-    const double pitch = pi / 2;
-    const Quaternion by_yaw = orientation_of({0.5, pitch, 0}),
-                     by_roll = orientation_of({0, pitch, -0.5});
-    report.number("lock.apart", angle_between(by_yaw, by_roll), "rad");
 }
 
 }  // namespace nutshell
