@@ -41,12 +41,11 @@ void throw_forces(lab::Report& report) {
 /// The chapter's question: one throw as three machines draw it, each picture a step.
 void question(lab::Report& report) {
     const ThrownBall scene;
-    const double shown = 0.25;  // [s]
+    const double shown = 0.15;  // [s]
     chart::Diagrams all;
     all.title = "One throw, three machines: do they agree where it lands?";
-    all.subtitle =
-        "The ball at every picture of its first quarter of a second, each one step of "
-        "physics after the last.";
+    all.subtitle = "The ball at every picture of its first " + lab::rounded(shown) +
+                   " s, each one step of physics after the last.";
     for (const int rate : {30, 60, 144}) {
         chart::Diagram d;
         d.title = std::to_string(rate) + " pictures a second";

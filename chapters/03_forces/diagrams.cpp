@@ -29,36 +29,36 @@ void spring_forces(lab::Report& report) {
                   (force == 0 ? std::string("no force")
                               : lab::rounded(std::abs(force)) + " N " +
                                     (force < 0 ? "inwards" : "outwards"));
-        d.wall({0, 0.22}, {0, -0.22}).spring({0, 0}, {length, 0}, 7, 0.14);
-        d.dashed({{spring.rest_length, 0.3}, {spring.rest_length, -0.3}});
+        d.wall({0, 0.18}, {0, -0.18}).spring({0, 0}, {length, 0}, 7, 0.14);
+        d.dashed({{spring.rest_length, 0.2}, {spring.rest_length, -0.24}});
         d.ball({length, 0}, 0.08);
         d.arrow({length, 0}, {metres_a_newton * force, 0}, Quantity::force, "F");
-        d.dimension({0, -0.36}, {spring.rest_length, -0.36}, "l₀");
+        d.dimension({0, -0.26}, {spring.rest_length, -0.26}, "l₀");
         all.panels.push_back(d);
     }
     all.width = 900;
     chart::write_svg(all, report.path("spring_forces.svg"));
 }
 
-/// The sinking stone: drag grows with the speed until it carries the weight.
+/// The fall with linear drag: it grows with the speed until it carries the weight.
 void drag_forces(lab::Report& report) {
     const FallingWithDrag scene;
     const double metres_a_newton = 0.1, metres_a_speed = 0.05;
     chart::Diagrams all;
     all.title = "Drag grows with the speed until it carries the weight";
-    all.subtitle = "A stone sinks, γ = " + lab::rounded(scene.drag) +
+    all.subtitle = "A body falls, γ = " + lab::rounded(scene.drag) +
                    " kg/s. Orange: forces, 1 m is 10 N. Blue: the velocity.";
     for (const double t : {0.0, 1.0, scene.duration}) {
-        const PointMass stone = scene.exact(t);
-        const Vector3 weight = gravity_force(stone.mass),
-                      drag = linear_drag_force(scene.drag, stone.velocity);
+        const PointMass body = scene.exact(t);
+        const Vector3 weight = gravity_force(body.mass),
+                      drag = linear_drag_force(scene.drag, body.velocity);
         chart::Diagram d;
         d.title = t == 0 ? "let go" : "after " + lab::rounded(t) + " s";
-        d.subtitle = lab::rounded(stone.velocity.norm(), "%.1f") + " m/s";
+        d.subtitle = lab::rounded(body.velocity.norm(), "%.1f") + " m/s";
         d.ball({0, 0}, 0.14);
         d.arrow({0, 0}, {0, metres_a_newton * weight.y()}, Quantity::force, "m g");
         d.arrow({0, 0}, {0, metres_a_newton * drag.y()}, Quantity::force, "−γ v");
-        d.arrow({0.55, 0}, {0, metres_a_speed * stone.velocity.y()}, Quantity::velocity, "v");
+        d.arrow({0.55, 0}, {0, metres_a_speed * body.velocity.y()}, Quantity::velocity, "v");
         all.panels.push_back(d);
     }
     chart::write_svg(all, report.path("drag_forces.svg"));

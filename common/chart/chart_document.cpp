@@ -130,8 +130,8 @@ std::string document(const std::string& name, const std::string& title, const st
     // The narrow layout where the page, or the column it gives to its figures, has no room for the wide one.
     const std::string room = unit(0.76 * wide.width) + "px";
     const std::string narrow_rules = "#" + id + "{aspect-ratio:" + unit(narrow.width) + "/" +
-                                     unit(narrow.height) + ";max-width:" + unit(1.3 * narrow.width) + "px}#" +
-                                     id + " .wide{display:none}#" + id + " .narrow{display:inline}";
+                                     unit(narrow.height) + ";max-width:" + unit(1.15 * narrow.width) +
+                                     "px}#" + id + " .wide{display:none}#" + id + " .narrow{display:inline}";
     css += "#" + id + " .narrow{display:none}\n@media screen and (max-width:" + room + "){" + narrow_rules +
            "}\n@media screen{@container (max-width:" + room + "){" + narrow_rules + "}}\n";
     return "<svg xmlns='http://www.w3.org/2000/svg' class='chart' id='" + id + "' viewBox='0 0 " + w + ' ' +

@@ -39,6 +39,8 @@ function examine(width, inside) {
         for (const e of svg.querySelectorAll('text, tspan')) {
             const place = e.getBoundingClientRect();
             if (!place.width) continue;
+            if (e.matches('.label') && getComputedStyle(e).color !== getComputedStyle(e.parentElement).color)
+                bad.push(`a name that has not its curve's colour: ${who(e)} of ${svg.id}`);
             if (place.left < box.left - 1 || place.right > box.right + 1 || place.top < box.top - 1 || place.bottom > box.bottom + 1
                 || place.left < 0 || place.right > width)
                 bad.push(`a label lies outside its chart: ${who(e)} of ${svg.id}`);
