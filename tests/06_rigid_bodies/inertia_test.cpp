@@ -160,6 +160,22 @@ TEST_CASE("Assembly three ways: boxes and mesh integrals agree to round-off, par
     }
 }
 
+TEST_CASE(
+    "The hammer as counted by hand: an iron head on a wooden shaft, about its centre and about its grip") {
+    // shaft 0.03 x 0.3 x 0.03 m of 700 kg/m^3 about (0, 0, 0); head 0.12 x 0.04 x 0.04 m of 7800 about (0.01, 0.17)
+    const double shaft = 0.189, head = 1.4976, x = head * 0.01 / (shaft + head),
+                 y = head * 0.17 / (shaft + head);
+    const MassProperties hammer_of_boxes = by_boxes(hammer());
+    CHECK(hammer_of_boxes.mass == Approx(shaft + head).epsilon(8 * epsilon));
+    CHECK((hammer_of_boxes.centre - Vector3(x, y, 0)).norm() < 4 * epsilon);
+    const double about_z = shaft * (0.03 * 0.03 + 0.3 * 0.3) / 12 + shaft * (x * x + y * y) +
+                           head * (0.12 * 0.12 + 0.04 * 0.04) / 12 +
+                           head * ((0.01 - x) * (0.01 - x) + (0.17 - y) * (0.17 - y));
+    CHECK(hammer_of_boxes.inertia(2, 2) == Approx(about_z).epsilon(32 * epsilon));
+    CHECK(inertia_about(hammer_of_boxes, {0, -0.15, 0})(2, 2) ==
+          Approx(about_z + (shaft + head) * (x * x + (y + 0.15) * (y + 0.15))).epsilon(32 * epsilon));
+}
+
 TEST_CASE("One mesh of several solids gives what the assembly of each gives, wherever it lies") {
     Mesh mesh;
     const Vector3 far(100, -50, 30);
