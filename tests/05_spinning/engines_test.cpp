@@ -1,4 +1,4 @@
-// What engines make of a fast spin.
+// What engines make of a fast spin, and where a method must not be looked at.
 #include "spin.hpp"
 
 using namespace nutshell;
@@ -38,4 +38,16 @@ TEST_CASE("Magnus with a spin that depends on the pose: both looks at the start'
         }
     };
     CHECK_THAT(convergence(Both{}, SPIN_METHOD(magnus4), {400, 800, 1600}), HasOrder(1));
+}
+
+TEST_CASE("after a whole round of coning the start's exponential is as far off as the middle's") {
+    // n steps from the middles are R_z(Omega h/2) times those from the starts times R_z(-Omega h/2), and the
+    // exact end is no turn at all: an angle does not see the half step between
+    const Coning scene;
+    for (const long n : {8L, 24L, 100L}) {
+        const auto start = lab::measure(scene, SPIN_METHOD(exponential_map), n),
+                   middle = lab::measure(scene, SPIN_METHOD(exponential_midpoint), n);
+        CHECK(std::abs(start.final_error - middle.final_error) <= identity * static_cast<double>(n));
+        CHECK(start.max_error > 2 * middle.max_error);
+    }
 }

@@ -16,7 +16,7 @@ class LiveCone : public live::Figure {
                 {"rk4", "RK4", {Family::runge_kutta, Mark::circle}}};
     }
     std::vector<live::Slider> sliders() const override {
-        return {{.name = "steps a round", .least = 6, .most = 500, .start = 24}};
+        return {{.name = "steps a round", .least = 6, .most = 500, .start = 24, .whole = true}};
     }
     std::vector<live::State> states() const override {
         return {{.key = "exponential",
@@ -38,7 +38,7 @@ class LiveCone : public live::Figure {
         choice_ = setting.choice;
         steps_a_round_ = std::round(setting.values.at(0));
         require_positive(steps_a_round_, "steps a round");
-        q_ = scene_.start, steps_ = 0;
+        q_ = scene_.start, steps_ = 0, worst_ = 0;
         trail_ = {fin(q_)};
     }
     double time() const override { return static_cast<double>(steps_) * step_size(); }
@@ -51,6 +51,7 @@ class LiveCone : public live::Figure {
              : choice_ == 2 ? magnus4(q_, scene_, t, dt)
                             : rk4_pose(q_, scene_, t, dt);
         ++steps_;
+        worst_ = std::max(worst_, scene_.error(q_, time()));
         trail_.push_back(fin(q_));
         if (trail_.size() > 2000) trail_.erase(trail_.begin(), trail_.begin() + 500);
     }
@@ -74,7 +75,8 @@ class LiveCone : public live::Figure {
         return pic::fit(room, {0.7, -1, 0.8}, size, {.margin = 0.02, .up = Vector3::UnitZ()});
     }
     std::vector<live::Number> numbers() const override {
-        return {{"off", 180 / pi * scene_.error(q_, time()), "°", live::Number::Trace::linear}};
+        return {{"off", 180 / pi * scene_.error(q_, time()), "°", live::Number::Trace::linear},
+                {"at most so far", 180 / pi * worst_, "°"}};
     }
     std::vector<double> state() const override { return {q_.x(), q_.y(), q_.z(), q_.w()}; }
 
@@ -102,7 +104,7 @@ class LiveCone : public live::Figure {
     Coning scene_;
     Quaternion q_ = four_vector({0, 0, 0}, 1);
     int choice_ = 0;
-    double steps_a_round_ = 24;
+    double steps_a_round_ = 24, worst_ = 0;  // worst_ [rad]
     long steps_ = 0;
     std::vector<Vector3> trail_;
 };
