@@ -174,6 +174,7 @@ local function write_all()
     for path in pairs(Book.sources) do Page.write_source(path) end
     Search.write(Book.pages)
     Claims.write()
+    Page.write_lengths()
     Numbers.write_unquoted()
 end
 

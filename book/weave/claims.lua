@@ -18,9 +18,11 @@ local tests
 local function test_exists(name)
     if not tests then
         tests = {}
-        local pipe = io.popen("find '" .. Book.root .. "/tests' -name '*.cpp' 2>/dev/null")
+        local pipe = io.popen("find '" .. Book.root .. "/tests' -name '*.cpp' -o -name CMakeLists.txt 2>/dev/null")
         for path in pipe:lines() do
-            for call in (Page.read(path, true) or ""):gmatch('TEST_CASE(%b())') do
+            local text = Page.read(path, true) or ""
+            for title in text:gmatch('add_test%(NAME "([^"]+)"') do tests[title] = true end
+            for call in text:gmatch('TEST_CASE(%b())') do
                 local title, at = "", 2
                 while true do                       -- adjacent literals are one name
                     local from, to, piece = call:find('^%s*"([^"]*)"', at)

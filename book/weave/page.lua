@@ -121,14 +121,22 @@ local function question_of(page)
 end
 
 --- How long reading and exercises take, in minutes; HOWTO.md says how it is reckoned. Asked before the page is woven.
+--- page.length gets what `lengths.csv` says of it: words, numbered figures, minutes, and those before its first exercise.
 function Page.minutes(page)
     if page.minutes then return page.minutes end
-    local reading, exercises = 0, 0
+    local reading, exercises, words, figures, first = 0, 0, 0, 0, nil
     page.doc:walk {
-        Str = function(s) if s.text:find("%a") then reading = reading + 1 / 200 end end,
-        Image = function() reading = reading + 1 / 2 end,
+        traverse = "topdown",                               -- in the order of the page
+        Str = function(s) if s.text:find("%a") then words = words + 1; reading = reading + 1 / 200 end end,
+        Image = function(i)
+            reading = reading + 1 / 2
+            if i.identifier ~= "" then figures = figures + 1 end
+        end,
         Math = function(m) if m.mathtype == "DisplayMath" then reading = reading + 1 / 3 end end,
-        Div = function(d) if d.classes:includes("predict") then reading = reading + 1 / 2 end end,
+        Div = function(d)
+            if d.classes:includes("predict") then reading = reading + 1 / 2 end
+            if d.classes:includes("exercise") then first = first or reading end
+        end,
         CodeBlock = function(b)
             if not b.attributes.region then return end
             local lines, bodies = Regions.lengths(b.attributes.region)
@@ -138,7 +146,16 @@ function Page.minutes(page)
     }
     local function round(minutes) return 5 * math.ceil(minutes / 5 - 0.2) end
     page.minutes = {reading = round(reading), exercises = round(exercises)}
+    page.length = {words, figures, page.minutes.reading, page.minutes.exercises, first and ("%.1f"):format(first) or ""}
     return page.minutes
+end
+
+function Page.write_lengths()
+    local lines = {"page,words,figures,minutes of reading,minutes of exercises,minutes before the first exercise"}
+    for _, page in ipairs(Book.pages) do
+        if page.chapter then lines[#lines + 1] = page.file .. "," .. table.concat(page.length, ",") end
+    end
+    Page.write("lengths.csv", table.concat(lines, "\n") .. "\n")
 end
 
 local function hours_of(page)
