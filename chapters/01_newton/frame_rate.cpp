@@ -13,6 +13,23 @@ namespace {
 const std::vector<int> rates{30, 60,
                              144};  // [Hz]; their common instants are the multiples of 1/6 s
 
+/// How much farther than the exact ball Euler's flies with one step a frame, before it is down [m]:
+/// where the parabola through its last three places comes to height zero.
+double too_far(ThrownBall scene, int rate) {
+    const double exact_landing = -2 * scene.start.velocity.y() / gravity.y(), dt = 1.0 / rate;
+    std::vector<double> t, y;
+    const auto steps = static_cast<long>(std::ceil(exact_landing / dt)) + 1;  // one step late
+    scene.duration = static_cast<double>(steps) * dt;
+    lab::run(scene, methods::euler, steps, [&](const PointMass& ball, double now) {
+        t.push_back(now), y.push_back(ball.position.y());
+    });
+    const std::size_t n = t.size() - 2;
+    const double slope = (y[n + 1] - y[n - 1]) / (2 * dt),
+                 bend = (y[n + 1] - 2 * y[n] + y[n - 1]) / (dt * dt);
+    const double landing = t[n] - (slope + std::sqrt(slope * slope - 2 * bend * y[n])) / bend;
+    return scene.start.velocity.x() * (landing - exact_landing);
+}
+
 }  // namespace
 
 void frame_rate(lab::Report& report) {
@@ -43,15 +60,7 @@ void frame_rate(lab::Report& report) {
                    height(methods::verlet)});
         report.number("frame_rate.euler." + std::to_string(rate), series.y.back(), "m");
         report.number("frame_rate.verlet." + std::to_string(rate), height(methods::verlet), "m");
-        // (1.a) put into the path: Euler's ball is at height zero one whole step after the exact one
-        const double exact_landing = -2 * scene.start.velocity.y() / gravity.y(),
-                     landing = exact_landing + 1.0 / rate;
-        require(
-            std::abs(scene.exact(landing).position.y() +
-                     throw_error(Kicked::after_drift, gravity, landing, 1.0 / rate).y()) < 1e-12,
-            "the law of the landing does not hold");
-        report.number("frame_rate.landing." + std::to_string(rate),
-                      scene.start.velocity.x() * (landing - exact_landing), "m");
+        report.number("frame_rate.landing." + std::to_string(rate), too_far(scene, rate), "m");
         chart.series.push_back(std::move(series));
     }
     report.print(table);

@@ -46,7 +46,7 @@ lab::Entry<Planet> clock_entry(const Method& method, const std::vector<long>& ru
     return {method.name, method.look,
             [method](const Planet& scene, long steps) {
                 const double ds =
-                    scene.duration / static_cast<double>(steps);  // 2 pi of s is one orbit
+                    scene.duration / static_cast<double>(steps);  // 2 pi of s is nearly one orbit
                 lab::Measurement m{steps, ds, steps * method.evaluations,
                                    0,     0,  std::numeric_limits<double>::quiet_NaN()};
                 TimedPlanet planet{scene.start};

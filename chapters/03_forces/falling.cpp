@@ -88,15 +88,20 @@ void falling(lab::Report& report) {
     auto entries = lab::entries<FallingWithDrag>(with_an_order);
     lab::report_orders(report, "falling", scene, entries, {80, 160, 320});
     entries.push_back(lab::entry<FallingWithDrag>(methods::exponential_kick));  // exact: no order
-    lab::study(
-        report, scene, entries,
-        {.key = "falling",
-         .scene = "A stone sinks with linear drag for " + lab::rounded(scene.duration) + " s.",
-         .behind = "Slopes are orders; the exponential kick has no error to shrink",
-         .guides = {-1, -2, -4},
-         .lead = "The exponential kick is exact: one step for the whole fall",
-         .steps = {1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000},
-         .most = 100'000});
+    const auto study = [&](const std::string& key, const auto& methods) {
+        lab::study(
+            report, scene, methods,
+            {.key = key,
+             .scene = "A body falls with linear drag for " + lab::rounded(scene.duration) + " s.",
+             .behind = "Slopes are orders; the exponential kick has no error to shrink",
+             .guides = {-1, -2, -4},
+             .lead = "The exponential kick is exact: one step for the whole fall",
+             .steps = {1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000},
+             .most = 100'000});
+    };
+    study("falling", std::tuple{methods::euler, methods::semi_implicit_euler, methods::verlet,
+                                methods::rk4, methods::exponential_kick});  // the main road's
+    study("falling_all", entries);
     slowing_down(report);
 
     const FallingInAir air;

@@ -98,7 +98,14 @@ const Method flat_euler{methods::euler.name, methods::euler.look, 1, 1,
                             return (y + dt * f(y, t)).eval();
                         })};
 
-void general_regions(lab::Report& report) {
+struct General {
+    chart::Region region;
+    Complex (*stability)(Complex);
+    bool ringed;  ///< too narrow between its neighbours for a name: a ring on its border has it
+};
+
+void general_regions(lab::Report& report, const std::string& file,
+                     const std::vector<General>& methods) {
     chart::Chart chart;
     chart.title = "Where a step is stable";
     chart.subtitle = "Filled: measured, one step of y' = λy. Dashed: theory, |R(z)| = 1.";
@@ -106,21 +113,17 @@ void general_regions(lab::Report& report) {
     chart.y = {"Im λ dt", chart::Scale::linear, -3.2, 3.2};
     chart.equal_aspect = true;
     chart.height = 640;
-    chart.regions = {general_region(methods::dormand_prince), general_region(methods::rk4),
-                     general_region(methods::explicit_midpoint), general_region(flat_euler)};
-    for (auto* stability : {StabilityFunction::dormand_prince, StabilityFunction::rk4,
-                            StabilityFunction::explicit_midpoint, StabilityFunction::euler})
-        chart.series.push_back(border(stability));
-    // two regions are too narrow between their neighbours for a name: a ring on the border has it
-    for (const std::size_t i : {0, 2}) {
-        const chart::Series& line = chart.series[i];
+    for (const General& method : methods) {
+        const chart::Series line = border(method.stability);
+        chart.regions.push_back(method.region), chart.series.push_back(line);
+        if (!method.ringed) continue;
         std::size_t upper_left = 0;
         for (std::size_t k = 0; k < line.x.size(); ++k)
             if (line.y[k] - line.x[k] > line.y[upper_left] - line.x[upper_left]) upper_left = k;
-        chart.rings.push_back({line.x[upper_left], line.y[upper_left], chart.regions[i].name});
-        chart.regions[i].name = "";
+        chart.rings.push_back({line.x[upper_left], line.y[upper_left], method.region.name});
+        chart.regions.back().name = "";
     }
-    chart::write_svg(chart, report.path("regions.svg"));
+    chart::write_svg(chart, report.path(file));
 }
 
 /// The same for kick-and-drift methods: z and its mirror image are the two rates of a damped
@@ -193,7 +196,15 @@ void spring_regions(lab::Report& report) {
 void limits(lab::Report& report) {
     report.heading("Largest stable step, predicted and found: omega dt (drag alone: gamma dt/m)");
     limits_table(report);
-    general_regions(report);
+    const General euler{general_region(flat_euler), StabilityFunction::euler, false},
+        rk4{general_region(methods::rk4), StabilityFunction::rk4, false};
+    general_regions(report, "regions.svg", {rk4, euler});
+    general_regions(
+        report, "regions_all.svg",
+        {{general_region(methods::dormand_prince), StabilityFunction::dormand_prince, true},
+         rk4,
+         {general_region(methods::explicit_midpoint), StabilityFunction::explicit_midpoint, true},
+         euler});
     spring_regions(report);
 }
 

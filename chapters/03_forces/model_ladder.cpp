@@ -97,16 +97,16 @@ void model_ladder(lab::Report& report) {
     report.number("ladder.linear.good_to", linear_limit, "m/s");
 
     // What the simpler model saves: steps for a pixel, and time for the whole throw.
-    ThrowInAir nothing, honey, air;
+    ThrowInAir nothing, viscous, air;
     nothing.air = 0;
-    honey.air = 0, honey.drag = ThrowInAir{}.air * full;
+    viscous.air = 0, viscous.drag = ThrowInAir{}.air * full;
     const auto cheapest =
         lab::fewest_steps(air, lab::entry<ThrowInAir>(methods::rk4), air.need.tolerance);
     require(cheapest.has_value(), "model_ladder: RK4 did not reach a pixel");
     const double time_none =
         lab::time_of([&] { lab::keep(lab::run(nothing, methods::verlet, 1)); });
     const double time_linear =
-        lab::time_of([&] { lab::keep(lab::run(honey, methods::exponential_kick, 1)); });
+        lab::time_of([&] { lab::keep(lab::run(viscous, methods::exponential_kick, 1)); });
     const double time_air =
         lab::time_of([&] { lab::keep(lab::run(air, methods::rk4, cheapest->steps)); });
     report.number("ladder.no_drag.nanoseconds", 1e9 * time_none, "ns");

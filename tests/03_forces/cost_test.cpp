@@ -33,6 +33,26 @@ TEST_CASE("falling with drag: one exact step, then the orders in their order") {
     CHECK(euler_1 < verlet_1);  // drag inside the kick makes Verlet worse than Euler here
 }
 
+TEST_CASE("falling: Euler's error in position is -1/nu times that in velocity and dies out; Verlet's stays") {
+    FallingWithDrag scene;
+    const double nu = scene.drag / scene.start.mass;
+    const auto off = [&](const auto& method, double dt) {  // of position [m] and velocity [m/s], in the end
+        const PointMass end = lab::run(scene, method, std::lround(scene.duration / dt)),
+                        exact = scene.exact(scene.duration);
+        return std::pair{end.position.y() - exact.position.y(), end.velocity.y() - exact.velocity.y()};
+    };
+    // Euler: v_n - v_0 = g t - nu (p_n - p_0), as in the exact motion. Round-off: 1e-16 of 50 m, some hundred
+    // times.
+    const double dt = 0.01;
+    const auto [place, speed] = off(methods::euler, dt);
+    CHECK(std::abs(place) > 0.01);
+    CHECK(place == Approx(-speed / nu).margin(1e-11));
+    // After sixty seconds nothing is left of e^(-nu t), 1e-13; Verlet is behind by half a step of falling.
+    scene.duration = 60;
+    CHECK(std::abs(off(methods::euler, dt).first) < 1e-9);
+    CHECK(off(methods::verlet, dt).first == Approx(scene.terminal_velocity().y() * dt / 2).margin(1e-9));
+}
+
 TEST_CASE(
     "springs: high orders pay, the exact propagator asks for nothing, drag in the kick costs ten times") {
     const MassOnSpring spring;

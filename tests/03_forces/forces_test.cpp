@@ -126,7 +126,7 @@ TEST_CASE("the door: springs, drags, steps and limits say what is wrong") {
 }
 
 TEST_CASE("falling: the exact solutions solve their equations, and have their terminal velocities") {
-    const FallingWithDrag honey;
+    const FallingWithDrag linear;
     const FallingInAir air;
     const auto solves = [](const auto& scene,
                            double t) {  // m dv/dt = F and dp/dt = v, by a five-point difference
@@ -140,7 +140,7 @@ TEST_CASE("falling: the exact solutions solve their equations, and have their te
         CHECK((slope([&](double s) -> Vector3 { return scene.exact(s).velocity; }) * now.mass - scene(now, t))
                   .norm() < 1e-9);
     };
-    for (const double t : {0.1, 1.0, 4.0}) solves(honey, t), solves(air, t);
+    for (const double t : {0.1, 1.0, 4.0}) solves(linear, t), solves(air, t);
     for (const double ratio : {0.0, 0.1, 0.999999, 1.0, 1.000001, 2.0, 20.0})
         for (const double t : {0.1, 0.7}) {
             const MassOnSpring spring = MassOnSpring::with_damping(ratio);
@@ -150,8 +150,8 @@ TEST_CASE("falling: the exact solutions solve their equations, and have their te
                                   (12 * h);
             CHECK((slope - spring(spring.exact(t), t)).norm() < 1e-5);
         }
-    CHECK(honey.exact(100).velocity.isApprox(honey.terminal_velocity(), 1e-12));
-    CHECK(honey.terminal_velocity().y() == Approx(-9.81 / 0.5));
+    CHECK(linear.exact(100).velocity.isApprox(linear.terminal_velocity(), 1e-12));
+    CHECK(linear.terminal_velocity().y() == Approx(-9.81 / 0.5));
     CHECK(-air.exact(100).velocity.y() == Approx(air.terminal_speed()).epsilon(1e-12));
     CHECK(air.terminal_speed() == Approx(std::sqrt(9.81 / air.air)));
 }
@@ -163,10 +163,10 @@ TEST_CASE("exact solutions against another method run tight, so that exact is no
     for (const double ratio : {0.0, 0.1, 1.0, 2.0})
         CHECK(distance(tight(MassOnSpring::with_damping(ratio)),
                        MassOnSpring::with_damping(ratio).exact(10)) < 1e-10);
-    ThrowInAir air, honey;
-    honey.air = 0, honey.drag = 0.3;
+    ThrowInAir air, linear;
+    linear.air = 0, linear.drag = 0.3;
     CHECK(distance(tight(air), air.exact(3)) < 1e-11);  // the accuracy the scene states
-    CHECK(distance(tight(honey), honey.exact(3)) < 1e-11);
+    CHECK(distance(tight(linear), linear.exact(3)) < 1e-11);
 }
 
 TEST_CASE("the exact propagator: any step, all three regimes, to a few units of round-off") {

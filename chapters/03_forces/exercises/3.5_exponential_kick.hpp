@@ -14,7 +14,7 @@ struct ExponentialKick {
         ask_dragged_step(paper, answer);
         const double dt = paper.step(2.0);  // x = gamma dt/m is above one
         const PointMass body{1.5, {0.3, 4.1, -0.6}, {6.2, 3.3, -1.9}};
-        paper.input("a stone that sinks, x = gamma dt/m", 2.2 * dt / body.mass, "dt", dt);
+        paper.input("a body that falls, x = gamma dt/m", 2.2 * dt / body.mass, "dt", dt);
         const PointMass sunk = answer(body, Sinking{2.2}, 0.0, dt);
         paper.changed("the position [m]", sunk.position, body.position, body.velocity * dt,
                       9.81 * dt * dt);
@@ -146,7 +146,7 @@ struct ExponentialKick {
                       return state;
                   }},
                  {"the gain without its drag", "classic: v + a t",
-                  "A falling stone never reaches its terminal velocity.",
+                  "A falling body never reaches its terminal velocity.",
                   "What the force adds during the step decays too: a dt times phi_1(-x).",
                   [](auto state, const auto& forces, double t, double dt) {
                       const double x = forces.drag * dt / state.mass;

@@ -13,7 +13,7 @@ struct ExponentialVerletStep {
     static void ask(Paper& paper, const Answer& answer) {
         ask_dragged_step(paper, answer);
         const int steps = static_cast<int>(std::lround(1 / paper.step(1.0 / 64)));
-        paper.input("a stone that sinks, for 1 s in", steps, "steps");
+        paper.input("a body that falls, for 1 s in", steps, "steps");
         const Sinking forces{2.2};
         const PointMass start{1.5, {0.3, 4.1, -0.6}, {6.2, 3.3, -1.9}};
         PointMass body = start;

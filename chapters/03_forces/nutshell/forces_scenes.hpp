@@ -11,8 +11,9 @@
 namespace nutshell {
 
 // [falling]
-/// A stone sinks from rest in a thick liquid: weight and linear drag (scene S3 of the
-/// comparison with other engines). exact: closed form, eqs. (3.d)-(3.e); accurate to round-off.
+/// A body falls from rest under weight and linear drag (scene S3 of the comparison with other
+/// engines). Bold numbers: no real body of 1 kg has linear drag at this speed.
+/// exact: closed form, eqs. (3.d)-(3.e); accurate to round-off.
 struct FallingWithDrag {
     std::string name = "falling_with_drag";
     double drag = 0.5;  // gamma [kg/s]
@@ -20,8 +21,8 @@ struct FallingWithDrag {
     double duration = 5;  // [s]
     Need need{60.0 / 960, "m", "one pixel of its snapshot, 60 m across 960 pixels"};
 
-    Vector3 operator()(const PointMass& stone, double) const {
-        return gravity_force(stone.mass) + linear_drag_force(drag, stone.velocity);
+    Vector3 operator()(const PointMass& body, double) const {
+        return gravity_force(body.mass) + linear_drag_force(drag, body.velocity);
     }
     Vector3 terminal_velocity() const { return gravity_force(start.mass) / drag; }
     PointMass exact(double t) const {
@@ -95,7 +96,7 @@ struct MassOnSpring {
 // [/spring_scene]
 
 // [throw_scene]
-/// The ball of chapter 1, thrown through nothing, through honey or through air: the model
+/// The ball of chapter 1, thrown without drag, with linear drag or through air: the model
 /// ladder. exact: closed form where there is no air. With air there is none: a tight run stands
 /// for it, accurate to 1e-11 m (tests compare it with another method).
 struct ThrowInAir {
