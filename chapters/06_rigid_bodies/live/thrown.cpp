@@ -17,7 +17,7 @@ class LiveThrown : public live::Figure {
   public:
     std::vector<live::Choice> choices() const override { return live::choices_of(that_throw_it); }
     std::vector<live::Slider> sliders() const override {
-        return {{.name = "steps a second", .least = 5, .most = 240, .start = 60}};
+        return {{.name = "steps a second", .least = 5, .most = 240, .start = 60, .whole = true}};
     }
     std::vector<live::State> states() const override {
         return {{.key = "magnus", .words = "Magnus' step", .setting = {0, {60}}, .time = 1},
@@ -90,11 +90,11 @@ class LiveThrown : public live::Figure {
         }
         return drawing;
     }
-    pic::Size size() const override { return {960, 460}; }
+    pic::Size size() const override { return {960, 600}; }
     pic::Camera camera(pic::Size size) const override {
         pic::Drawing room;
-        for (const double x : {-0.2, 3.2})
-            for (const double y : {0.5, 2.45})
+        for (const double x : {-0.3, 3.3})
+            for (const double y : {0.4, 2.75})
                 room.add(pic::Ball{.centre = {x, y, 0}, .radius = 0.02});
         return pic::fit(room, {0.12, 0.1, 1}, size, {.margin = 0.01});
     }
