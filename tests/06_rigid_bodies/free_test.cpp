@@ -143,7 +143,7 @@ TEST_CASE("The flip: 4.058030 s, then every 6.976516 s, to all digits, in a run 
     const Pinned first = scene.start, last = lab::run(scene, methods::printed_step, 1800);
     CHECK(last.angular_momentum == first.angular_momentum);
     CHECK(error_of(scene, methods::printed_step) > 3);
-    // ... and neither does omega: the printed pose is a steady turn, lost with the truth by 4.38 degrees after a
+    // ... and neither does omega: the printed pose is a steady turn, off the truth by 4.38 degrees after a
     // second and by 86 after four (Euler's equations by SciPy's DOP853, 1e-13)
     for (const auto& [seconds, off] : {std::pair{1., 4.38001}, {4., 85.96438}}) {
         FreeBody start = scene;

@@ -162,7 +162,8 @@ TEST_CASE("Assembly three ways: boxes and mesh integrals agree to round-off, par
 
 TEST_CASE(
     "The hammer as counted by hand: an iron head on a wooden shaft, about its centre and about its grip") {
-    // shaft 0.03 x 0.3 x 0.03 m of 700 kg/m^3 about (0, 0, 0); head 0.12 x 0.04 x 0.04 m of 7800 about (0.01, 0.17)
+    // shaft 0.03 x 0.3 x 0.03 m of 700 kg/m^3 about the origin; head 0.12 x 0.04 x 0.04 m of 7800 about
+    // (0.01, 0.17, 0)
     const double shaft = 0.189, head = 1.4976, x = head * 0.01 / (shaft + head),
                  y = head * 0.17 / (shaft + head);
     const MassProperties hammer_of_boxes = by_boxes(hammer());

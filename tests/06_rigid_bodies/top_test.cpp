@@ -130,7 +130,7 @@ TEST_CASE("Without the gyroscopic term a top is a ball on a stick: it nods, and 
     CHECK_THAT(c, HasOrder(1));
     const auto [largest, smallest] = exact.swing();
     CHECK(largest == Approx(pi / 6).epsilon(1e-9));
-    // Euler's equations less the term, integrated elsewhere (SciPy's DOP853, 1e-12), looked at 400 times a second
+    // Euler's equations less the term, integrated elsewhere (SciPy's DOP853, 1e-12)
     CHECK(smallest * 180 / pi == Approx(27.135276).epsilon(1e-6));
     CHECK(lab::measure(top, methods::engine_step_without_gyroscopic, 6000).max_error > 0.3);
 }
