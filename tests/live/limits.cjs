@@ -1,4 +1,4 @@
-// limits.cjs MODULE.wasm…: what a reader finds by hand is what the page says. Every slider with a mark "limit …" is put, for every
+// limits.cjs MODULE.wasm…: what a reader finds by hand is what the page says. Every slider with a mark "limit …", or "sticks …", is put, for every
 // method that has one, one and a half of its own positions below the mark and as far above: the figure's own words must say that
 // it holds, and that it flew apart.
 'use strict';
@@ -20,7 +20,7 @@ async function limits_of(file) {
             };
             start(states[0].values);
             for (const [i, {mark, words, least, most, logarithmic}] of ask('marks').entries()) {
-                if (!/^limit/.test(words) || !(mark > least && mark < most)) continue;
+                if (!/^(limit|sticks)/.test(words) || !(mark > least && mark < most)) continue;
                 const to = x => logarithmic ? Math.log(x / least) / Math.log(most / least) : (x - least) / (most - least);
                 const back = s => logarithmic ? least * (most / least) ** s : least + s * (most - least);
                 const apart = at => {
@@ -31,7 +31,7 @@ async function limits_of(file) {
                         ended = ask('numbers').ended;
                     }
                     // a figure with several methods names those that flew apart
-                    return /fl(ew|own|ies) apart/i.test(ended) && (!/: /.test(ended) || ended.includes(method.name));
+                    return /fl(ew|own|ies) apart|it slides/i.test(ended) && (!/: /.test(ended) || ended.includes(method.name));
                 };
                 const below = back(to(mark) - 1.5 * position), above = back(to(mark) + 1.5 * position);
                 const holds = !apart(below), breaks = apart(above);

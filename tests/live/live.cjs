@@ -94,6 +94,17 @@ async function examine(f, distance, sleep) {
         if (f.wasm) { for (let n = 0; n < 30; ++n) f.call('step'); f.tell(); f.draw(true); }
         if (!f.wasm) return gone(`slider ${s} at its end ${end}, method ${c}`);
     }
+    // keys move the thumb, however coarse the value is: 40 presses are a tenth of the way
+    f.draw = () => { };
+    for (const {element, range} of f.sliders) {
+        range.value = 0.6;
+        const from = range.valueAsNumber, name = element.firstChild.textContent, step = +range.step;
+        let pressed = 0;
+        for (; pressed < 40 && range.valueAsNumber < 0.95; ++pressed) { range.stepUp(); range.oninput(); }
+        need(Math.abs(range.valueAsNumber - from - pressed * step) < 1.5 * step, `keys do not move the slider "${name}": from ${from} to ${range.value}`);
+        if (!f.wasm) return gone(`slider "${name}" by keys`);
+    }
+    f.draw = draw;
     for (const state of f.controls.states) {
         f.put(state); f.go(state.time);
         if (!f.wasm) return gone(`state ${state.key}`);

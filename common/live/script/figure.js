@@ -107,26 +107,27 @@ class Live {
         this.note.before(bar, this.numbers);
         this.cells = null;
     }
-    slider({name, unit, least, most, logarithmic}, i) {
+    slider({name, unit, least, most, logarithmic, whole}, i) {
         const to = x => logarithmic ? Math.log(x / least) / Math.log(most / least) : (x - least) / (most - least);
         const back = s => logarithmic ? least * (most / least) ** s : least + s * (most - least);
-        const range = make('input', {type: 'range', min: 0, max: 1, step: 0.0025});
+        const range = make('input', {type: 'range', min: 0, max: 1, step: whole && !logarithmic ? 1 / (most - least) : 0.0025});
         const shown = make('output', {}), tick = make('span', {className: 'tick', hidden: true});
         shown.setAttribute('aria-live', 'off');
-        const put = value => {
+        const show = value => {
             this.values[i] = value;
-            range.value = to(value);
             const words = with_unit(written(value).replace(/(\.\d*?)0+(?=·|$)/, '$1').replace(/\.(?=·|$)/, ''), unit);
             shown.textContent = words;
             range.setAttribute('aria-valuetext', words);
         };
-        range.oninput = () => {
+        const put = value => { range.value = to(value); show(value); };
+        range.oninput = () => {                                 // the thumb stays where the hand or key has put it
             const s = +range.value, exact = back(s);
-            put(s === 0 ? least : s === 1 ? most : exact >= 100 ? Math.round(exact) : +exact.toPrecision(3));
+            show(s === 0 ? least : s === 1 ? most : whole || exact >= 100 ? Math.round(exact) : +exact.toPrecision(3));
             this.apply(false);
         };
         const mark = ({mark: at, words}) => {
             tick.hidden = !words || !(at >= least && at <= most);
+            element.classList.toggle('plain', !words);
             tick.textContent = words;
             tick.style.setProperty('--at', Math.min(Math.max(to(at), 0), 1));
         };
@@ -259,13 +260,15 @@ class Live {
             if (show) cell.name.textContent = name;
             if (cell.trace) cell.trace.add(time, value);
             if (!show) return;
-            cell.value.textContent = with_unit(written(value), unit);
+            cell.value.textContent = with_unit(written(value, !unit), unit);
             if (cell.trace) cell.trace.draw();
         });
     }
     draw(with_words) {
         const {canvas} = context(), samples = Math.min(Math.max(Math.round(devicePixelRatio || 1), 1), 2);
-        const width = this.stage.clientWidth, height = Math.round(width * this.controls.height / this.controls.width);
+        const width = this.stage.clientWidth;
+        if (!width) return;                                     // in a fold that is closed
+        const height = Math.round(width * this.controls.height / this.controls.width);
         const drawn = Math.max(64, Math.round(width * this.share)), rows = Math.max(1, Math.round(drawn * height / width));
         for (const c of [canvas, this.canvas])                  // figures of one width do not make each other's canvas anew
             if (c.width !== samples * drawn || c.height !== samples * rows) { c.width = samples * drawn; c.height = samples * rows; }

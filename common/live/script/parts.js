@@ -24,8 +24,10 @@ const make = (name, properties = {}, ...inside) => { const e = Object.assign(doc
 const button = (words, onclick) => make('button', {type: 'button', textContent: words, onclick});
 const pen = document.createElement('canvas').getContext('2d');
 const raised = n => String(n).replace(/[-\d]/g, c => '⁻⁰¹²³⁴⁵⁶⁷⁸⁹'['-0123456789'.indexOf(c)]);
-function written(value) {
+/// @param counted  whole numbers are written as such: 27 impacts
+function written(value, counted) {
     if (value === null || !Number.isFinite(value)) return 'lost';
+    if (counted && Number.isInteger(value) && Math.abs(value) < 1e6) return String(value).replace('-', '−');
     const size = Math.abs(value), minus = value < 0 ? '−' : '';
     if (size === 0) return '0';
     if (size >= 1e-3 && size < 1e5) return minus + (size >= 100 ? Math.round(size) : size.toPrecision(3));
