@@ -93,7 +93,7 @@ class LiveThrow : public live::Figure {
                                   .contact_shadow = true});
             if (time() > 0)
                 drawing.add(pic::Label{
-                    .at = here + Vector3(0.5, 0, 0),
+                    .at = here + Vector3(0.8, 0.3, 0),
                     .text = digits(rate_ * (1 << i)) + (i == 0 ? " steps a second" : ""),
                     .colour = colour});
         }
@@ -113,7 +113,7 @@ class LiveThrow : public live::Figure {
     }
     pic::Camera camera(pic::Size size) const override {
         pic::Drawing all;
-        all.add(pic::Trail{.points = {{0, -3, 0}, {33, -3, 0}, {15, 15.5, 0}}});
+        all.add(pic::Trail{.points = {{0, -3, 0}, {39, -3, 0}, {15, 15.5, 0}}});
         return pic::fit(all, {0.12, 0.18, 1}, size, {.margin = 0.06});
     }
     std::vector<live::Number> numbers() const override {
