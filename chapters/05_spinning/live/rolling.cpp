@@ -15,7 +15,8 @@ class LiveRolling : public live::Figure {
             {"first_order", "first order, divided", {Family::explicit_one_step, Mark::circle}}};
     }
     std::vector<live::Slider> sliders() const override {
-        return {{.name = "steps in a turn", .least = 4, .most = 256, .start = 128}};
+        return {
+            {.name = "steps in a turn", .least = 4, .most = 256, .start = 128, .whole = true}};
     }
     std::vector<live::State> states() const override {
         return {{.key = "rolling",
