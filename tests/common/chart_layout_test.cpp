@@ -85,6 +85,13 @@ TEST_CASE("a ranking puts the least first and who does not get there last, with 
     const auto free_elements = read_svg(wide_layout(svg(free_of_charge)));
     CHECK(of_class(free_elements, "note").at(0).text == "none");
     CHECK(of_class(free_elements, "note").at(2).text == "1020");
+    const auto says_decades = [](const Ranking& r) {
+        return wide_layout(svg(r)).find("From one grey line") != std::string::npos;
+    };
+    CHECK(says_decades(ranking()));
+    Ranking near = ranking();  // one power of ten, or none, in each column: no line to explain
+    near.rows.pop_back();
+    CHECK_FALSE(says_decades(near));
     Ranking wrong = ranking();
     wrong.rows[0].values.pop_back();
     CHECK_THROWS_AS(svg(wrong), std::invalid_argument);

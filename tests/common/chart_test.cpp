@@ -183,6 +183,9 @@ TEST_CASE("the cheapest method is the first that meets the tolerance and goes on
     CHECK(cheapest(c)->text == "cheapest: steady");
     const auto elements = read_svg(wide_svg(c));
     CHECK(of_class(elements, "ring").size() == 1);
+    std::vector<std::string> notes;
+    for (const Element& e : of_class(elements, "note")) notes.push_back(e.text);
+    CHECK(std::count(notes.begin(), notes.end(), "cheapest") == 1);
     c.tolerance->value = 1e-12;
     CHECK_FALSE(cheapest(c));
     CHECK(of_class(read_svg(wide_svg(c)), "ring").empty());

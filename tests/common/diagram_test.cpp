@@ -136,3 +136,27 @@ TEST_CASE("a diagram that cannot be drawn is refused in words") {
     nameless.title.clear();
     CHECK_THROWS_WITH(svg(nameless), ContainsSubstring("title"));
 }
+
+TEST_CASE("where arrows meet, the name of each stands at its own middle") {
+    Diagram d;
+    d.title = "A vector, its part and the rest";
+    d.arrow({0, 0}, {2, 1.5}, Quantity::velocity, "v");
+    d.arrow({0, 0}, {2, 0}, Quantity::plain, "part");
+    d.arrow({2, 0}, {0, 1.5}, Quantity::plain, "rest");
+    const auto elements = read_svg(wide_layout(svg(d)));
+    const auto heads = tips(elements);  // of v, part and rest
+    const auto centre_of = [&](const std::string& name) {
+        for (const Element& e : of_class(elements, "label"))
+            if (e.text == name) {
+                const parts::Box box = box_of(e);
+                return parts::Point{(box.left + box.right) / 2, (box.top + box.bottom) / 2};
+            }
+        FAIL("no label " << name);
+        return parts::Point{};
+    };
+    REQUIRE(heads.size() == 3);
+    const parts::Point rest = centre_of("rest"), part = centre_of("part");
+    CHECK(std::abs(rest.y - (heads[1].y + heads[2].y) / 2) < 25);
+    const double unit = (heads[1].y - heads[2].y) / 1.5;
+    CHECK(std::abs(part.x - (heads[1].x - unit)) < 40);
+}
