@@ -119,7 +119,8 @@ std::string sliders() {
     return list(page->figure->sliders(), [](const Slider& s) {
         return "\"name\":" + json(s.name) + ",\"unit\":" + json(s.unit) + ",\"least\":" + json(s.least) +
                ",\"most\":" + json(s.most) + ",\"start\":" + json(s.start) +
-               ",\"logarithmic\":" + (s.logarithmic ? "true" : "false") + ",\"mark\":" + json(s.mark) +
+               ",\"logarithmic\":" + (s.logarithmic ? "true" : "false") +
+               ",\"whole\":" + (s.whole ? "true" : "false") + ",\"mark\":" + json(s.mark) +
                ",\"words\":" + json(s.mark_words);
     });
 }

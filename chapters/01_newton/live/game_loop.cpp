@@ -18,7 +18,12 @@ class LiveGameLoop : public live::Figure {
                 {"fixed", "fixed steps, drawn between", {}}};
     }
     std::vector<live::Slider> sliders() const override {
-        return {{.name = "slow machine", .unit = "Hz", .least = 4, .most = 144, .start = 30},
+        return {{.name = "slow machine",
+                 .unit = "Hz",
+                 .least = 4,
+                 .most = 144,
+                 .start = 30,
+                 .whole = true},
                 {.name = "hitch",
                  .unit = "s",
                  .least = 0,

@@ -15,7 +15,7 @@ class LivePlanet : public live::Figure {
         return live::choices_of(newton_methods);
     }
     std::vector<live::Slider> sliders() const override {
-        return {{.name = "steps a year", .least = 20, .most = 2000, .start = 100}};
+        return {{.name = "steps a year", .least = 20, .most = 2000, .start = 100, .whole = true}};
     }
     std::vector<live::State> states() const override {
         return {{.key = "euler",

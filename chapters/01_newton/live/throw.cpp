@@ -24,7 +24,8 @@ class LiveThrow : public live::Figure {
                  .most = 500,
                  .start = 4,
                  .mark = exact ? 0 : 1 / enough,
-                 .mark_words = "off by one pixel"}};
+                 .mark_words = "off by one pixel",
+                 .whole = true}};
     }
     std::vector<live::State> states() const override {
         return {{.key = "euler", .words = "Euler", .setting = {0, {4}}, .time = 3},

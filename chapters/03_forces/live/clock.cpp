@@ -17,7 +17,7 @@ class LiveClock : public live::Figure {
                  methods::logarithmic_leapfrog.look}};
     }
     std::vector<live::Slider> sliders() const override {
-        return {{.name = "steps an orbit", .least = 6, .most = 300, .start = 40}};
+        return {{.name = "steps an orbit", .least = 6, .most = 300, .start = 40, .whole = true}};
     }
     std::vector<live::State> states() const override {
         const double orbit = 2 * pi * 39.5 / 40;

@@ -27,7 +27,7 @@ class LiveDamped : public live::Figure {
                  .most = 1,
                  .start = 0.125,
                  .mark = limit,
-                 .mark_words = "limit " + digits(limit) + " s"},
+                 .mark_words = "limit " + digits(std::round(1e4 * limit) / 1e4) + " s"},
                 {.name = "damping ratio ζ", .least = 0.02, .most = 5, .start = 0.1}};
     }
     std::vector<live::State> states() const override {

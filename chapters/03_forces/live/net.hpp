@@ -34,7 +34,7 @@ class LiveNet : public live::Figure {
                  .most = 4e3 / omega_,
                  .start = 1e3 / omega_,
                  .mark = limit,
-                 .mark_words = "limit θ/ω = " + digits(limit) + " ms"}};
+                 .mark_words = "limit θ/ω = " + digits(std::round(100 * limit) / 100) + " ms"}};
     }
     void begin(const live::Setting& setting) override {
         change(setting);

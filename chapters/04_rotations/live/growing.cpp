@@ -15,7 +15,8 @@ class LiveGrowing : public live::Figure {
                 {"divided", "and divided", {Family::symplectic, Mark::diamond}}};
     }
     std::vector<live::Slider> sliders() const override {
-        return {{.name = "steps in a turn", .least = 6, .most = 1000, .start = 40}};
+        return {
+            {.name = "steps in a turn", .least = 6, .most = 1000, .start = 40, .whole = true}};
     }
     std::vector<live::State> states() const override {
         return {{.key = "printed",

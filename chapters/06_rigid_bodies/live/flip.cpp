@@ -16,7 +16,7 @@ class LiveFlip : public live::Figure {
   public:
     std::vector<live::Choice> choices() const override { return live::choices_of(that_turn_it); }
     std::vector<live::Slider> sliders() const override {
-        return {{.name = "steps a second", .least = 5, .most = 240, .start = 60}};
+        return {{.name = "steps a second", .least = 5, .most = 240, .start = 60, .whole = true}};
     }
     std::vector<live::State> states() const override {
         return {{.key = "truth",

@@ -27,7 +27,7 @@ class LivePolhode : public live::Figure {
                  .least = 0.5,
                  .most = 80,
                  .start = 4},
-                {.name = "steps a second", .least = 5, .most = 240, .start = 60}};
+                {.name = "steps a second", .least = 5, .most = 240, .start = 60, .whole = true}};
     }
     std::vector<live::State> states() const override {
         return {

@@ -31,7 +31,7 @@ class LiveTop : public live::Figure {
                  .logarithmic = false,
                  .mark = slow_,
                  .mark_words = "steady"},
-                {.name = "steps a second", .least = 10, .most = 240, .start = 60}};
+                {.name = "steps a second", .least = 10, .most = 240, .start = 60, .whole = true}};
     }
     std::vector<live::State> states() const override {
         const auto [slow, fast] = steady_precession(standard_top(), 3, pi / 6);

@@ -28,6 +28,7 @@ struct Slider {
     bool logarithmic = true;
     double mark = 0;  ///< 0: none; it may change with the method and the other sliders
     std::string mark_words{};
+    bool whole = false;  ///< takes whole numbers only: boxes, steps a second
 };
 
 /// How the controls stand.
