@@ -1,7 +1,5 @@
 // Falling with drag: what a first-order method, Verlet with drag in its kicks and an exact step make
 // of it, and where they break.
-#include <nutshell/stability_limits.hpp>
-#include <nutshell/stale_drag.hpp>
 #include "entries.hpp"
 #include "program.hpp"
 
@@ -17,55 +15,6 @@ const auto with_an_order = std::tuple{methods::euler,
                                       methods::dormand_prince,
                                       methods::exponential_verlet_inside,
                                       methods::exponential_yoshida4};
-
-/// The speed of a body that drag alone slows down, with gamma dt/m = 0.5, 1.5 and 2.5, and with the
-/// drag of the step before.
-void slowing_down(lab::Report& report) {
-    constexpr int steps = 10;
-    struct Slowing {
-        PointMass start{1, {0, 0, 0}, {1, 0, 0}};
-        double drag, duration = steps;  // one second a step
-        Vector3 operator()(const PointMass& body, double) const {
-            return linear_drag_force(drag, body.velocity);
-        }
-    };
-    chart::Figure figure;
-    figure.title = "The longer the step, the more Euler's drag turns the body round";
-    figure.subtitle = "The velocity of a body that only drag slows, over its start. Pale: exact.";
-    lab::Table data{{"method", "x", "step", "velocity"}, {}};
-    const auto follow = [&](chart::Chart& chart, const auto& method, double x) {
-        chart::Series series = chart::series_of(method, chart::Draw::line_and_marks);
-        const Slowing scene{{1, {0, 0, 0}, {1, 0, 0}}, x};
-        lab::run(scene, method, steps, [&](const PointMass& body, double n) {
-            series.add(n, body.velocity.x());
-            data.add({method.name, x, n, body.velocity.x()});
-        });
-        chart.series.push_back(std::move(series));
-    };
-    const auto panel = [&](const std::string& title, double x) {
-        chart::Chart chart;
-        chart.title = title, chart.height = 300, chart.cut = true;
-        chart.x = {"steps", chart::Scale::linear, 0, steps};
-        chart.y = {"", chart::Scale::linear, -2, 2};
-        chart::Series exact{"exact"};
-        exact.look = Look{Family::exact};
-        for (int i = 0; i <= 10 * steps; ++i) exact.add(0.1 * i, std::exp(-x * 0.1 * i));
-        chart.series.push_back(std::move(exact));
-        return chart;
-    };
-    chart::Chart small = panel("ν dt = 0.5: slows down, a little too fast", 0.5);
-    chart::Chart middle = panel("ν dt = 1.5: turned round in every step", 1.5);
-    chart::Chart large = panel("ν dt = 2.5: drag makes it faster and faster", 2.5);
-    chart::Chart stale = panel("ν dt = 1.1, drag of the step before: grows too", 1.1);
-    follow(small, methods::euler, 0.5);
-    follow(middle, methods::euler, 1.5);
-    follow(large, methods::euler, 2.5);
-    follow(large, methods::exponential_kick, 2.5);
-    follow(stale, mistakes::stale_euler, 1.1);
-    figure.panels = {small, middle, large, stale};
-    report.data("slowing.csv", data);
-    chart::write_svg(figure, report.path("slowing.svg"));
-}
 
 }  // namespace
 
@@ -102,7 +51,6 @@ void falling(lab::Report& report) {
     study("falling", std::tuple{methods::euler, methods::semi_implicit_euler, methods::verlet,
                                 methods::rk4, methods::exponential_kick});  // the main road's
     study("falling_all", entries);
-    slowing_down(report);
 
     const FallingInAir air;
     report.number("air.terminal_speed", air.terminal_speed(), "m/s");
