@@ -9,22 +9,38 @@ namespace nutshell {
 
 namespace pic = picture;
 
-/// A world's body number i, in a colour.
-inline void add_body(pic::Drawing& drawing, const World& world, std::size_t i,
-                     pic::Colour colour) {
+/// The box's edges on the floor and upright.
+inline void add_room(pic::Drawing& drawing, double half_width, double height) {
+    for (const int x : {-1, 1})
+        for (const int z : {-1, 1}) {
+            const Vector3 foot(x * half_width, 0, z * half_width);
+            drawing.add(
+                pic::Rod{.from = foot, .to = foot + Vector3(0, height, 0), .radius = 0.012});
+        }
+    for (const double y : {0.0, height})
+        drawing.add(pic::Tube{.points = {{-half_width, y, -half_width},
+                                         {half_width, y, -half_width},
+                                         {half_width, y, half_width},
+                                         {-half_width, y, half_width},
+                                         {-half_width, y, -half_width}},
+                              .radius = 0.012});
+}
+
+/// A world's body number i, in a colour; with marks that show how it is turned.
+inline void add_body(pic::Drawing& drawing, const World& world, std::size_t i, pic::Colour colour,
+                     bool marked = true) {
     const Body& body = world.bodies[i];
     if (const auto* ball = std::get_if<Sphere>(&world.shapes[i])) {
-        drawing.add(pic::Ball{.centre = body.position,
-                              .radius = ball->radius,
-                              .colour = colour,
-                              .orientation = body.orientation});
+        pic::Ball shown{.centre = body.position, .radius = ball->radius, .colour = colour};
+        if (marked) shown.orientation = body.orientation;
+        drawing.add(shown);
         return;
     }
     if (const auto* box = std::get_if<Box>(&world.shapes[i])) {
         Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
         pose.linear() = rotation_matrix(body.orientation), pose.translation() = body.position;
-        drawing.add(
-            pic::Box{.pose = pose, .half_extents = box->half, .colour = colour, .marked = true});
+        drawing.add(pic::Box{
+            .pose = pose, .half_extents = box->half, .colour = colour, .marked = marked});
     }
 }
 

@@ -1,4 +1,4 @@
-// The pictures of the second half that do not move: the question, two filmstrips of piles.
+// The pictures of the second half that do not move: the question, a filmstrip of cubes.
 #include <fstream>
 #include <nutshell/picture/picture.hpp>
 #include "piles_drawings.hpp"
@@ -7,23 +7,6 @@
 namespace nutshell {
 
 namespace {
-
-/// The box's edges on the floor and upright.
-void add_room(pic::Drawing& drawing, double half_width, double height) {
-    for (const int x : {-1, 1})
-        for (const int z : {-1, 1}) {
-            const Vector3 foot(x * half_width, 0, z * half_width);
-            drawing.add(
-                pic::Rod{.from = foot, .to = foot + Vector3(0, height, 0), .radius = 0.012});
-        }
-    for (const double y : {0.0, height})
-        drawing.add(pic::Tube{.points = {{-half_width, y, -half_width},
-                                         {half_width, y, -half_width},
-                                         {half_width, y, half_width},
-                                         {-half_width, y, half_width},
-                                         {-half_width, y, -half_width}},
-                              .radius = 0.012});
-}
 
 void film(lab::Report& report, const std::string& file, const Pile& pile, int in_a_layer) {
     const std::array instants{0.0, 0.5, 1.0, 3.0};
@@ -95,7 +78,6 @@ void rest_pictures(lab::Report& report) {
         return pic::Shot{drawing, pic::fit(drawing, {0.5, 0.22, 1}, size, {.margin = 0.05}),
                          size};
     });
-    film(report, "pile", Pile{}, 100);
     Pile cubes;
     cubes.cubes = true, cubes.wide = 6;
     film(report, "pile_cubes", cubes, 36);

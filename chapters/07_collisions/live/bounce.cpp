@@ -17,7 +17,12 @@ class LiveBounce : public live::Figure {
                 {"printed", "as printed", methods::bounce_printed.look}};
     }
     std::vector<live::Slider> sliders() const override {
-        return {{.name = "steps a second", .unit = "", .least = 10, .most = 1000, .start = 60},
+        return {{.name = "steps a second",
+                 .unit = "",
+                 .least = 10,
+                 .most = 1000,
+                 .start = 60,
+                 .whole = true},
                 {.name = "restitution",
                  .unit = "",
                  .least = 0.3,

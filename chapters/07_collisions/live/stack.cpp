@@ -18,7 +18,12 @@ class LiveStack : public live::Figure {
                 {"naive", "once round, nothing remembered", off}};
     }
     std::vector<live::Slider> sliders() const override {
-        return {{.name = "boxes", .least = 2, .most = 20, .start = 10, .logarithmic = false},
+        return {{.name = "boxes",
+                 .least = 2,
+                 .most = 20,
+                 .start = 10,
+                 .logarithmic = false,
+                 .whole = true},
                 {.name = "ball", .unit = "m/s", .least = 2, .most = 40, .start = 15}};
     }
     std::vector<live::State> states() const override {
