@@ -149,8 +149,8 @@ class LiveGameLoop : public live::Figure {
         std::stable_sort(order.begin(), order.end(), [this](const Seat* a, const Seat* b) {
             return ball_of(*a).y() > ball_of(*b).y();
         });
-        const double away = 3, apart = 2;  // [m]
-        Vector3 at = ball_of(*order.front()) + Vector3(away, 2.5 * apart, 0);
+        const double away = 2, apart = 3;  // [m]
+        Vector3 at = ball_of(*order.front()) + Vector3(away, 2 * apart, 0);
         for (const Seat* seat : order) {
             std::string words = seat->machine.label;
             if (time() >= scene_.duration)

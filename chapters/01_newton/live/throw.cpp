@@ -94,7 +94,7 @@ class LiveThrow : public live::Figure {
                                   .contact_shadow = true});
             if (time() > 0)
                 drawing.add(pic::Label{
-                    .at = here + Vector3(0.8, 0.3, 0),
+                    .at = here + Vector3(0.8, 0, 0),
                     .text = digits(rate_ * (1 << i)) + (i == 0 ? " steps a second" : ""),
                     .colour = colour});
         }
