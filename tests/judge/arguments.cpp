@@ -1,5 +1,7 @@
 // Signatures of what an answer takes in: an argument that is not used; and what is right of it.
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <set>
 #include <string>
 #include "signatures.hpp"
@@ -31,7 +33,7 @@ std::optional<Finding> ignored_argument(const Evidence& evidence) {
                     continue;
                 const bool should = apart(outputs[i], outputs[i].values, outputs[j].values) > 1e-6,
                            does = apart(outputs[i], evidence.yours[i], evidence.yours[j]) > 1e-12;
-                if (should) (does ? used : ignored).push_back(differ[0]);
+                if (does || should) (does ? used : ignored).push_back(differ[0]);
             }
         }
     for (const auto& name : ignored)
@@ -89,6 +91,8 @@ std::optional<Finding> wrong_somewhere(const Evidence& evidence) {
         struct Side {
             double least = 1e300, largest = -1e300;  ///< of sizes
             std::size_t count = 0, zeros = 0, below = 0;
+            std::array<std::size_t, 4> negative{};  ///< of each component
+            std::vector<double> sizes = {};
         } bad, good;
         bool everywhere = true, numbers = true;
         for (std::size_t i = 0; i < inputs.size(); ++i) {
@@ -99,11 +103,15 @@ std::optional<Finding> wrong_somewhere(const Evidence& evidence) {
             if (!everywhere) break;
             const Values& values = found->second;
             numbers = numbers && values.size() == 1;
-            const double size = distance(values, Values(values.size(), 0.0));
+            double size = 0;  // of numbers that may be as large as they can be
+            for (const double value : values) size = std::hypot(size, value);
             Side& side = wrong.count(i) ? bad : good;
             if (size > 1e-100) side.least = std::min(side.least, size);  // zero is a case of its own
             side.largest = std::max(side.largest, size);
             ++side.count, side.zeros += size == 0, side.below += values[0] < 0;
+            side.sizes.push_back(size);
+            for (std::size_t k = 0; k < std::min<std::size_t>(values.size(), 4); ++k)
+                side.negative[k] += values[k] < 0;
         }
         if (!everywhere || bad.count == 0 || good.count == 0) continue;
         const std::string also = "Your answer is right for every input but those where ";
@@ -117,18 +125,35 @@ std::optional<Finding> wrong_somewhere(const Evidence& evidence) {
                 return {
                     {"wrong where " + name + " is not negative", {also + name + " is zero or positive."}}};
         }
+        if (!numbers && bad.count > 2 && good.count > 2)
+            for (std::size_t k = 0; k < 4; ++k)
+                if (bad.negative[k] == bad.count && good.negative[k] == 0) {
+                    const std::string part = name + "." + "xyzw"[k];
+                    return {{"wrong where " + part + " is negative", {also + part + " is negative."}}};
+                }
         const std::string size = !numbers                 ? "the length of " + name
                                  : bad.below + good.below ? "the size of " + name
                                                           : name;
-        const bool many = bad.count > 1 && good.count > 1;
-        if (bad.zeros == 0 && bad.largest < good.least && (many || 100 * bad.largest < good.least))
+        const bool many = bad.count > 1 && good.count > 1, only_absurd = good.least > 1e50;
+        if (bad.zeros == 0 && !only_absurd && bad.largest < good.least &&
+            (many || 100 * bad.largest < good.least))
             return {{"wrong where " + name + " is small",
                      {also + size + " is small: wrong up to " + digits(bad.largest, "%.4g") +
                       ", right from " + digits(good.least, "%.4g") + " on."}}};
+        if (good.zeros == good.count && bad.zeros == 0)
+            return {{"right only where " + name + " is zero",
+                     {"Your answer is right where " + name + " is zero, and nowhere else."}}};
         if (bad.least > good.largest && (many || bad.least > 100 * good.largest))
             return {{"wrong where " + name + " is large",
                      {also + size + " is large: right up to " + digits(good.largest, "%.4g") +
                       ", wrong from " + digits(bad.least, "%.4g") + " on."}}};
+        if (bad.zeros == 0 && bad.least < good.least && bad.largest > good.largest &&
+            std::none_of(bad.sizes.begin(), bad.sizes.end(),
+                         [&](double each) { return each >= good.least && each <= good.largest; }))
+            return {{"wrong where " + name + " is very small or very large",
+                     {also + size + " is very small (" + digits(bad.least, "%.2g") + ") or very large (" +
+                      digits(bad.largest, "%.2g") + "): between " + digits(good.least, "%.2g") + " and " +
+                      digits(good.largest, "%.2g") + " it is right."}}};
     }
     return std::nullopt;
 }

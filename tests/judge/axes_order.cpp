@@ -167,6 +167,11 @@ std::optional<Finding> wrong_order(const Evidence& evidence) {
     const std::string table = "Distance of " + what +
                               " from the exact one, for steps of h, h/2, h/4: yours " + three(error) +
                               "; the right method's " + three(right) + ".";
+    if (const auto local = local_power(evidence); local && *local < 0.5)
+        return {{"as wrong for a short step as for a long one",
+                 {"One step differs from the right one by about as much however short it is: is dt missing "
+                  "somewhere, or something changed that no step should change? " +
+                  table}}};
     if (error[2] > 0.75 * error[0])
         return {{"wrong formula",
                  {"The error does not shrink with the step: this is a wrong formula, not a coarse step. " +

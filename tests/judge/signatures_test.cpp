@@ -122,3 +122,66 @@ TEST_CASE("Changes: none, the wrong sign, an argument that is not used or enters
               v.x() += push.x() / mass * dt, v.y() -= 2 * push.y();
           }) == "wrong formula");
 }
+
+namespace {
+
+/// A number that hangs on a vector and on a size of all orders of magnitude.
+struct OfAllSizes {
+    template <class Answer>
+    static void ask(Paper& paper, const Answer& answer) {
+        for (const double x : {-0.8, 0.6})
+            for (const double y : {-0.7, 1.1, 0.4})
+                for (const double size : {1e-12, 0.3, 2.0, 1e160}) {
+                    const Vector3 v(x, y, 0.9);
+                    paper.input("v", v, "size", size);
+                    paper.output("the result", answer(v, size), 2.0);
+                }
+    }
+};
+
+double right_one(const Vector3& v, double size) {
+    return v.sum() + size / (1 + size);
+}
+
+}  // namespace
+
+TEST_CASE(
+    "Where an answer is wrong: by the sign of a component, at both ends of a size; never beside the absurd") {
+    const auto told = [](const auto& answer) { return diagnosed<OfAllSizes>(right_one, answer).name; };
+    CHECK(told([](const Vector3& v, double size) { return right_one(v.cwiseMax(-0.75), size); }) ==
+          "wrong where v.x is negative");
+    CHECK(told([](const Vector3& v, double size) {
+              return size < 1e-6 || size > 1e6 ? 0.0 : right_one(v, size);
+          }) == "wrong where size is very small or very large");
+    CHECK(told([](const Vector3& v, double size) { return size > 1e6 ? right_one(v, size) : 0.3; }) ==
+          "wrong formula");
+}
+
+namespace {
+
+/// One step from 1 towards e^t, and its run to the end.
+struct Growing {
+    template <class Answer>
+    static void ask(Paper& paper, const Answer& answer) {
+        const double h = paper.step(0.1);
+        paper.input("start", 1.0, "h", h);
+        paper.output("one step", answer(1.0, h), 1.0);
+        double x = 1;
+        for (int n = 0; n < std::lround(1 / h); ++n) x = answer(x, h);
+        paper.run("the end", x, std::exp(1), 1.0);
+    }
+};
+
+}  // namespace
+
+TEST_CASE("A step in which dt does not enter is as wrong for a short step as for a long one") {
+    Exercise nameless;
+    nameless.order = 1;
+    const auto right = [](double x, double h) { return x + h * x; };
+    std::vector<Values> yours;
+    for (const auto& output :
+         record_of(exercises::asked<Growing>([](double x, double) { return x + 0.3; })).outputs)
+        yours.push_back(output.values);
+    CHECK(diagnose(nameless, record_of(exercises::asked<Growing>(right)), yours).name ==
+          "as wrong for a short step as for a long one");
+}

@@ -94,6 +94,15 @@ struct RotationAbout {
                   [](const Vector3& axis, double angle) -> Matrix3 {
                       return rodrigues(axis.normalized(), std::cos(angle), -std::sin(angle));
                   }},
+                 {"the cross product not taken twice", "classic: 1 - c beside K, not K K",
+                  "Things are sheared when they turn.",
+                  "In Rodrigues' formula 1 - cos goes with the cross product taken twice, K K; "
+                  "K alone goes with the sine.",
+                  [](const Vector3& axis, double angle) -> Matrix3 {
+                      const Matrix3 once =
+                          rodrigues(axis.normalized(), 0, 1) - rodrigues(axis.normalized(), 0, 0);
+                      return Matrix3::Identity() + (std::sin(angle) + 1 - std::cos(angle)) * once;
+                  }},
                  {"the whole angle where half belongs", "classic",
                   "Everything turns twice as far.",
                   "c and s are cosine and sine of half the angle: the matrix is quadratic in "

@@ -48,6 +48,14 @@ struct SmallTurn {
                   [](const Quaternion& q, const Vector3& beta) -> Quaternion {
                       return Quaternion(q.coeffs() + (four_vector(beta, 0) * q).coeffs() / 2);
                   }},
+                 {"only the change made of length one", "classic: brackets",
+                  "Every turn is of one size, however small it should be.",
+                  "The change is divided by its own length, so its size is lost. It is the sum "
+                  "that must be as long as one.",
+                  [](const Quaternion& q, const Vector3& beta) -> Quaternion {
+                      return Quaternion(q.coeffs() +
+                                        (four_vector(beta, 0) * q).normalized().coeffs() / 2);
+                  }},
                  {"the rows of (31) as printed", "E19",
                   "A body turns about a wrong axis, sticks, and grows without end.",
                   "The printed (31) begins with the scalar row, but (27) stores the scalar last. "

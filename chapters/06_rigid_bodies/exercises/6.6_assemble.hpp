@@ -125,6 +125,20 @@ struct Assemble {
                           return turned(part) + moved(part.body.mass, at(part) - centre);
                       });
                   }},
+                 {"the place taken for the centre", "classic",
+                  "A part whose axes start at one end counts as if it were a point there.",
+                  "A part's place is where its axes begin; its centre of mass stands elsewhere "
+                  "in them: R centre + place.",
+                  [](std::span<const Part> parts) -> MassProperties {
+                      Vector3 sum = Vector3::Zero();
+                      double mass = 0;
+                      for (const Part& part : parts)
+                          sum += part.body.mass * part.place, mass += part.body.mass;
+                      const Vector3 centre = sum / mass;
+                      return with(parts, centre, [&](const Part& part) -> Matrix3 {
+                          return turned(part) + moved(part.body.mass, part.place - centre);
+                      });
+                  }},
                  {"the printed brackets", "E32",
                   "A dumbbell with many parts turns as easily as one of its balls.",
                   "You move the last part only: read as it is printed, the sum of (62) ends "

@@ -96,6 +96,17 @@ struct FallsThroughZero {
                       if (b == 0 && a == 0) return {};
                       return c / q;
                   }},
+                 {"the other root", "classic: + before the root, always",
+                  "A thrown ball falls through the floor, or meets it when it is under it.",
+                  "With + before the root you get the later meeting for a > 0, and for a < 0 the "
+                  "one in the past. Which root comes first hangs on the sign of a.",
+                  [](double a, double b, double c) -> std::optional<double> {
+                      if (c <= 0 && (b < 0 || (b == 0 && a < 0))) return 0.0;
+                      if (a == 0 && b < 0) return -c / b;
+                      const double t = (std::sqrt(b * b - 4 * a * c) - b) / (2 * a);
+                      if (!(t >= 0)) return {};
+                      return t;
+                  }},
                  {"a straight flight", "classic: gravity forgotten",
                   "A ball that is thrown upwards never comes down on anything.",
                   "You use distance over speed. The speed changes on the way: solve the "
