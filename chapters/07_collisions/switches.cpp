@@ -40,6 +40,7 @@ void switches(lab::Report& report) {
     };
     const Look off{Family::explicit_one_step, Mark::circle};
     row("all", "everything on", {Family::symplectic, Mark::square}, [](Switches&) {});
+    row("manifold", "one contact a pair", off, [](Switches& on) { on.manifold = false; });
     row("warm", "no warm start", off, [](Switches& on) { on.warm_start = false; });
     row("cold", "no extra passes at the start", off, [](Switches& on) { on.cold = 1; });
     row("passes", "four passes, one step", {Family::implicit, Mark::circle},

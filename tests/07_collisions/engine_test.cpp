@@ -50,11 +50,12 @@ std::uint64_t bits(const World& world) {
     return hash;
 }
 
-void check_rooms(std::uint64_t from, std::uint64_t to) {
+void check_rooms(std::uint64_t from, std::uint64_t to, double restitution = 0) {
     for (std::uint64_t seed = from; seed <= to; ++seed) {
         RandomRoom room;
         room.seed = seed;
         World world = room.start();
+        world.surface.restitution = restitution;
         Engine engine;
         const double before = energy(world);
         double highest = -immovable;
@@ -81,10 +82,66 @@ TEST_CASE("Ten boxes stand: drift, penetration, speed of the last second (S14)")
 }
 
 TEST_CASE("A thousand spheres fall into a box: overlap, nobody outside, no energy gained (S15)") {
-    const Seen seen = watch(Pile{});
-    CHECK(seen.overlap <= 0.01);
-    CHECK(seen.escaped == 0);
-    CHECK(seen.energy <= 1);
+    for (std::uint64_t seed = 1; seed <= 5; ++seed) {  // no luck of one start
+        Pile pile;
+        pile.seed = seed;
+        const Seen seen = watch(pile);
+        CAPTURE(seed);
+        CHECK(seen.overlap <= 0.01);
+        CHECK(seen.escaped == 0);
+        CHECK(seen.energy <= 1);
+    }
+}
+
+TEST_CASE("Two balls that fly at each other meet: their contact is found for the speeds of both") {
+    for (const double speed : {0.5, 3.0, 6.0}) {
+        World world;
+        world.gravity.setZero();
+        for (const double side : {-1.0, 1.0}) {
+            world.add(solid_ball(1, 0.1, {side * 1.03, 0, 0}), Sphere{0.1});
+            world.bodies.back().momentum = {-side * speed, 0, 0};
+        }
+        Engine engine;
+        double overlap = 0;
+        for (int i = 0; i < 150; ++i)
+            engine.step(world, dt), overlap = std::max(overlap, deepest_overlap(world));
+        CAPTURE(speed);
+        CHECK(overlap < 1e-12);
+        CHECK(world.bodies[0].position.x() < world.bodies[1].position.x());
+    }
+}
+
+TEST_CASE("A box dropped flat bounces by its restitution; one relaxing pass for four corners is not enough") {
+    const auto apex_after = [](double restitution, int bouncing) {
+        World world;
+        world.walls = {Plane{}};
+        world.surface.restitution = restitution;
+        const Box box{{0.5, 0.5, 0.5}};
+        world.add(solid_box(1, box, {0, 1.5, 0}), box);  // 1 m above where it lies
+        Switches switches;
+        switches.bouncing = bouncing;
+        Engine engine(switches);
+        double highest = 0;
+        bool bounced = false;
+        for (int i = 0; i < 90; ++i) {
+            engine.step(world, dt);
+            bounced = bounced || world.bodies[0].momentum.y() > 0;
+            if (bounced) highest = std::max(highest, world.bodies[0].position.y() - 0.5);
+        }
+        return highest;
+    };
+    // Passes converge: what four leave is less than half of what one leaves (measured, e = 0.5: 0.18 m with
+    // one pass instead of 0.25 m).
+    for (const double e : {0.5, 0.9}) {
+        const double law = e * e;
+        CAPTURE(e);
+        CHECK(std::abs(apex_after(e, 4) - law) < 0.1 * law);
+        CHECK(law - apex_after(e, 1) > 2 * std::abs(apex_after(e, 4) - law));
+    }
+}
+
+TEST_CASE("Rooms whose bodies bounce: no energy gained with the four relaxing passes that they get") {
+    for (const double restitution : {0.5, 0.9}) check_rooms(1, 60, restitution);
 }
 
 TEST_CASE("What each switch buys: the stack without it") {
@@ -100,6 +157,8 @@ TEST_CASE("What each switch buys: the stack without it") {
     CHECK(cold.overlap > 20 * all.overlap);
     const Seen one = without([](Switches& s) { s.sub_steps = 1; });
     CHECK(one.overlap > 10 * all.overlap);
+    const Seen single = without([](Switches& s) { s.manifold = false; });
+    CHECK(single.drift > 100 * all.drift);  // one contact under a box: it tips
     const Seen pushed = without([](Switches& s) { s.relaxing = 0; });
     CHECK(pushed.last_speed > 30 * all.last_speed);
     // Soft contacts: what overlaps comes out. A ball 5 cm deep in the floor, one second later:
@@ -212,7 +271,7 @@ TEST_CASE("The same bits from every compiler: a pile, after its fall") {
     World world = pile.start();
     Engine engine(pile.switches);
     for (int i = 0; i < 120; ++i) engine.step(world, dt);
-    CHECK(bits(world) == 0x16f267b208daad32u);
+    CHECK(bits(world) == 0x2172c46e3ca950b2u);
     World again = pile.start();
     Engine second(pile.switches);
     for (int i = 0; i < 120; ++i) second.step(again, dt);

@@ -10,13 +10,20 @@ namespace nutshell {
 struct Mobility {
     double inverse_mass = 0;                    ///< [1/kg]
     Matrix3 inverse_inertia = Matrix3::Zero();  ///< [1/(kg m^2)], world axes
+    double inverse_moment = 0;  ///< if all moments are equal (ball, cube): 1/I, else 0
 };
 
 inline Mobility mobility_of(const Body& body) {
     const Vector3& I = body.inertia;
     if (I[0] == I[1] && I[1] == I[2])  // a ball's or a cube's does not turn with it
-        return {1 / body.mass, Vector3::Constant(1 / I[0]).asDiagonal()};
+        return {1 / body.mass, Vector3::Constant(1 / I[0]).asDiagonal(), 1 / I[0]};
     return {1 / body.mass, world_inverse_inertia(body)};
+}
+
+/// The angular velocity [rad/s] that an angular momentum L [kg m^2/s] is, or that one given adds.
+inline Vector3 turning(const Mobility& of, const Vector3& L) {
+    if (of.inverse_moment > 0) return of.inverse_moment * L;  // three products instead of nine
+    return of.inverse_inertia * L;
 }
 // [/mobile]
 
@@ -46,10 +53,10 @@ struct Gains {
     double normal = 0, all = 0;
 };
 inline void add_gains(Gains& gains, const Mobility& of, const Vector3& lever, const Vector3& n) {
-    const Matrix3& W = of.inverse_inertia;
     const Vector3 turn = lever.cross(n);
-    gains.normal += of.inverse_mass + turn.dot(W * turn);
-    gains.all += 3 * of.inverse_mass + lever.squaredNorm() * W.trace() - lever.dot(W * lever);
+    gains.normal += of.inverse_mass + turn.dot(turning(of, turn));
+    gains.all += 3 * of.inverse_mass + lever.squaredNorm() * of.inverse_inertia.trace() -
+                 lever.dot(turning(of, lever));
 }
 
 /// Fixes a contact's points to its bodies, and asks both how they answer.
@@ -57,9 +64,11 @@ inline void prepare(PressedContact& c, const Contact& found, const Body& a, cons
                     const Mobility& of_a, const Mobility& of_b) {
     c.normal = found.normal, c.separation = found.separation, c.feature = found.feature;
     c.lever_a = found.point - a.position, c.lever_b = found.point - b.position;
-    const Vector3 half_gap = found.separation / 2 * found.normal;
-    c.anchor_a = rotate(inverse(a.orientation), c.lever_a - half_gap - c.radius_a * c.normal);
-    c.anchor_b = rotate(inverse(b.orientation), c.lever_b + half_gap + c.radius_b * c.normal);
+    if (!c.balls) {  // two balls touch between their centres, however they turn
+        const Vector3 half_gap = found.separation / 2 * found.normal;
+        c.anchor_a = rotate(inverse(a.orientation), c.lever_a - half_gap - c.radius_a * c.normal);
+        c.anchor_b = rotate(inverse(b.orientation), c.lever_b + half_gap + c.radius_b * c.normal);
+    }
     Gains gains;
     add_gains(gains, of_a, c.lever_a, c.normal), add_gains(gains, of_b, c.lever_b, c.normal);
     c.normal_mass = 1 / gains.normal;
@@ -89,8 +98,8 @@ inline void follow(PressedContact& c, const Body& a, const Body& b) {
 /// Velocity of b's point seen from a's [m/s].
 inline Vector3 contact_velocity(const PressedContact& c, const Body& a, const Body& b,
                                 const Mobility& of_a, const Mobility& of_b) {
-    const Vector3 omega_a = of_a.inverse_inertia * a.angular_momentum,
-                  omega_b = of_b.inverse_inertia * b.angular_momentum;
+    const Vector3 omega_a = turning(of_a, a.angular_momentum),
+                  omega_b = turning(of_b, b.angular_momentum);
     return of_b.inverse_mass * b.momentum - of_a.inverse_mass * a.momentum +
            omega_b.cross(c.lever_b) - omega_a.cross(c.lever_a);
 }
@@ -164,8 +173,8 @@ inline Wish wish_of(const PressedContact& c, double s, const Press& want) {
     else if (want.soft.rate > 0)
         wish = {std::min(-want.soft.rate * c.separation, want.fastest_out), want.soft.mass,
                 want.soft.fade};
-    const bool pressed = c.normal_impulse > 0 || s < wish.speed;
-    if (want.restitution > 0 && c.closing < -want.slow && pressed)
+    if (want.restitution > 0 && c.closing < -want.slow &&
+        (c.normal_impulse > 0 || s < wish.speed))
         wish.speed = -want.restitution * c.closing;
     return wish;
 }

@@ -26,17 +26,19 @@ struct World {
 // [switches]
 /// What the engine does; each idea is a switch.
 struct Switches {
-    int sub_steps = 4;       ///< of one step
-    int passes = 1;          ///< round all contacts, in each sub-step
-    int relaxing = 1;        ///< passes after the drift, which take out the speed of pushing out
-    int cold = 20;           ///< passes in a step that remembers less than half of its contacts
-    bool warm_start = true;  ///< begin with the impulses of the last sub-step
-    bool grid = true;        ///< look for contacts next door only; off: every pair
-    bool sleep = false;      ///< what lies still for a while is left alone until it is touched
-    bool soft = true;        ///< what overlaps is pushed out; off: it only stops closing in
-    double stiffness = 0.2;  ///< frequency of the soft contacts times the sub-step
-    double damping = 10;     ///< their damping ratio
-    double near = 0.1;       ///< contacts are kept from this gap on, times the smallest reach
+    int sub_steps = 4;        ///< of one step
+    int passes = 1;           ///< round all contacts, in each sub-step
+    int relaxing = 1;         ///< passes after the drift, which take out the speed of pushing out
+    int bouncing = 4;         ///< at least so many of them where something bounces
+    int cold = 20;            ///< passes in a step that remembers less than half of its contacts
+    bool warm_start = true;   ///< begin with the impulses of the last sub-step
+    bool grid = true;         ///< look for contacts next door only; off: every pair
+    bool sleep = false;       ///< what lies still for a while is left alone until it is touched
+    bool manifold = true;     ///< several contacts of two bodies; off: the deepest only
+    bool soft = true;         ///< what overlaps is pushed out; off: it only stops closing in
+    double stiffness = 0.22;  ///< frequency of the soft contacts times the sub-step
+    double damping = 10;      ///< their damping ratio
+    double near = 0.05;       ///< contacts are kept from this gap on, times the smallest reach
     SleepRule rule = {};
     bool pyramid = false;  ///< friction bounded along two axes apart: wrong, see `in_pyramid`
 };
@@ -61,6 +63,8 @@ class Engine {
             find_contacts_of(world, hasty ? h : dt);
         const bool cold = on.warm_start && 2 * remembered_ < contacts_.size();
         const int passes = cold ? std::max(on.cold, on.passes) : on.passes;
+        const bool bounces = world.surface.restitution > 0 && on.relaxing > 0;
+        const int relaxing = bounces ? std::max(on.relaxing, on.bouncing) : on.relaxing;
 
         Press push{h, world.surface.friction, 0, 0};
         if (on.soft) push.soft = softness(on.stiffness / h, on.damping, h);
@@ -74,8 +78,8 @@ class Engine {
             start_contacts(world);
             for (int pass = 0; pass < passes; ++pass) press_all(world, push, false);
             drift_all(world, h);
-            for (int pass = 0; pass < on.relaxing; ++pass) press_all(world, relax, pass == 0);
-            if (on.relaxing == 0) follow_all(world);
+            for (int pass = 0; pass < relaxing; ++pass) press_all(world, relax, pass == 0);
+            if (relaxing == 0) follow_all(world);
         }
         if (on.sleep) sleep_.end_step(world.bodies, reach_, on.rule, dt);
     }
@@ -87,8 +91,8 @@ class Engine {
   private:
     std::vector<PressedContact> contacts_;
     std::vector<Contact> found_;
-    std::vector<Mobility> mobility_;  // of each body, after the earth's
-    std::vector<Vector3> places_;
+    std::vector<Mobility> mobility_;            // of each body, after the earth's
+    std::vector<Vector3> places_, velocities_;  // the velocities after this step's fall
     std::vector<double> reach_, speed_;
     std::size_t remembered_ = 0;  // contacts of this step that the last one had
     ContactMemory memory_;
@@ -158,24 +162,37 @@ class Engine {
         if (on.warm_start) memory_.remember(contacts_);
         contacts_.clear(), remembered_ = 0;
         if (on.sleep) sleep_.start_step(n);
-        mobility_.resize(n + 1), places_.resize(n), reach_.resize(n), speed_.resize(n);
+        mobility_.resize(n + 1), places_.resize(n), velocities_.resize(n);
+        reach_.resize(n), speed_.resize(n);
         mobility_[0] = mobility_of(world.earth);
-        double largest = 0, smallest = immovable, fastest = 0;
+        Vector3 sum = Vector3::Zero();
         for (std::size_t i = 0; i < n; ++i) {
             const Body& body = world.bodies[i];
             mobility_[i + 1] = asleep(i) ? Mobility{} : mobility_of(body);
             places_[i] = body.position, reach_[i] = reach(world.shapes[i]);
-            speed_[i] =
-                (mobility_[i + 1].inverse_mass * body.momentum + dt * world.gravity).norm();
+            velocities_[i] = mobility_[i + 1].inverse_mass * body.momentum + dt * world.gravity;
+            speed_[i] = velocities_[i].norm(), sum += velocities_[i];
+        }
+        const Vector3 mean = sum / std::max(1.0, static_cast<double>(n));
+        double largest = 0, smallest = immovable, fastest = 0;
+        for (std::size_t i = 0; i < n; ++i) {
             largest = std::max(largest, reach_[i]), smallest = std::min(smallest, reach_[i]);
-            fastest = std::max(fastest, speed_[i]);
+            fastest = std::max({fastest, speed_[i], 2 * (velocities_[i] - mean).norm()});
         }
         const double slack = on.near * smallest, farthest = 2 * largest;
+        // Two bodies may close in with the speeds of both; if one is stopped by a third, with one's.
         const auto look = [&](int first, int second) {
             const auto i = static_cast<std::size_t>(first), j = static_cast<std::size_t>(second);
-            const double margin = slack + std::min(farthest, std::max(speed_[i], speed_[j]) * dt);
-            const double limit = reach_[i] + reach_[j] + margin;
-            if ((places_[j] - places_[i]).squaredNorm() >= limit * limit) return;
+            const double touch = reach_[i] + reach_[j] + slack;
+            const double square = (places_[j] - places_[i]).squaredNorm();
+            const auto too_far = [&](double way) {
+                return square >= (touch + way) * (touch + way);
+            };
+            if (too_far((speed_[i] + speed_[j]) * dt)) return;
+            const double closing = (velocities_[j] - velocities_[i]).norm(),
+                         fast = std::max({speed_[i], speed_[j], closing});
+            const double way = std::min(farthest, fast * dt), margin = slack + way;
+            if (too_far(way)) return;
             found_.clear();
             find_contacts(world.shapes[i], world.bodies[i], world.shapes[j], world.bodies[j],
                           margin, found_);
@@ -209,6 +226,12 @@ class Engine {
             a >= 0 && world.bodies[i].mass < immovable && world.bodies[j].mass < immovable;
         if (on.sleep && both && !found_.empty()) sleep_.join(i, j);
         if (!moves(world, j) && (a < 0 || !moves(world, i))) return;  // neither can answer
+        if (!on.manifold && found_.size() > 1) {
+            const auto less = [](const Contact& c, const Contact& d) {
+                return c.separation < d.separation;
+            };
+            found_ = {*std::min_element(found_.begin(), found_.end(), less)};
+        }
         for (const Contact& found : found_) {
             PressedContact& c = contacts_.emplace_back();
             c.a = a, c.b = b;
