@@ -23,7 +23,7 @@ class LiveDominoes : public live::Figure {
                  .mark = 0.58,
                  .mark_words = "too far to touch"},
                 {.name = "friction", .least = 0, .most = 1, .start = 0.5, .logarithmic = false},
-                {.name = "steps a second", .least = 15, .most = 240, .start = 60}};
+                {.name = "steps a second", .least = 15, .most = 240, .start = 60, .whole = true}};
     }
     std::vector<live::State> states() const override {
         return {
