@@ -1,4 +1,5 @@
 // A row of dominoes: the speed of its wave, and how coarse a step shows it.
+#include <algorithm>
 #include <nutshell/chart/chart.hpp>
 #include <nutshell/domino_scenes.hpp>
 #include <nutshell/lab/run.hpp>
@@ -74,7 +75,7 @@ void dominoes(lab::Report& report) {
     report.number("dominoes.need", row.need.tolerance);
 
     chart::Chart chart;
-    chart.title = "How fast does the wave run?";
+    chart.title = "The farther apart, the slower the wave";
     chart.subtitle = "Twenty dominoes 0.5 m high, 60 steps a second, by the gap between them.";
     chart.x = {"from one piece to the next [m]"};
     chart.y = {"speed of the wave [m/s]"};
@@ -97,6 +98,10 @@ void dominoes(lab::Report& report) {
             if (wave.speed() > 0) series.x.push_back(spacing), series.y.push_back(wave.speed());
         }
     }
+    report.number("dominoes.narrow", rough.y.front(), "m/s", "domino_speed.svg");
+    report.number("dominoes.wide", rough.y.back(), "m/s", "domino_speed.svg");
+    report.number("dominoes.rubbing", *std::max_element(grippy.y.begin(), grippy.y.end()), "m/s",
+                  "domino_speed.svg");
     chart.series = {rough, grippy};
     chart::write_svg(chart, report.path("domino_speed.svg"));
 }

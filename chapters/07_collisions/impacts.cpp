@@ -130,7 +130,7 @@ void too_fast(lab::Report& report) {
     report.heading("Too fast to see: a point and a slab of 0.1 m, 60 looks a second");
     const double thickness = 0.1, dt = 1 / 60.0;
     chart::Chart chart;
-    chart.title = "How often a point test misses a slab";
+    chart.title = "A point test misses the slab from " + lab::rounded(thickness / dt) + " m/s on";
     chart.subtitle =
         "Slab of 0.1 m, 60 looks a second. Marks: 100 000 starts each; dashed: the law.";
     chart.x = {"speed [m/s]", chart::Scale::linear, 0, 60};
@@ -156,7 +156,7 @@ void too_fast(lab::Report& report) {
         swept.x.push_back(speed), swept.y.push_back(through / static_cast<double>(starts));
     }
     chart.series = {law, point, swept};
-    chart.levels_x = {{thickness / dt, "h/dt"}};
+    chart.levels_x = {{thickness / dt, "a slab's thickness each look"}};
     report.draw("too_fast", chart);
     report.number("too_fast.limit", thickness / dt, "m/s");
     report.number("too_fast.at_20", miss_probability(thickness, 20, dt));

@@ -54,7 +54,7 @@ void rest_diagrams(lab::Report& report) {
     report.number("manifold.corners", left.size);
 
     chart::Diagrams both;
-    both.title = "Two boxes";
+    both.title = "A plane between two boxes, or the corners of a cut face";
     both.panels = {side, top};
     chart::write_svg(both, report.path("manifold.svg"));
 }

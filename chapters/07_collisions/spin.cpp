@@ -29,19 +29,19 @@ void lever_diagram(lab::Report& report) {
     d.title = "Point, normal, levers: all that one impulse needs";
     d.subtitle = "Gold: the impulse on B and its opposite on A. Orange: how these turn the two.";
     // a box to the left whose corner meets the face of a box to the right
-    const double right_turn = tilt, left_turn = tilt + pi / 4 - 0.25;
+    const double right_turn = tilt, left_turn = tilt + 1.35;
     const Vector3 x(std::cos(right_turn), std::sin(right_turn), 0), y(-x.y(), x.x(), 0);
     const Vector3 u(std::cos(left_turn), std::sin(left_turn), 0), v(-u.y(), u.x(), 0);
     const Vector3 centre_b = 0.5 * x + 0.45 * y, centre_a = -0.55 * u + 0.4 * v;
     d.box(seen(centre_a), 1.1, 0.8, left_turn, "A")
         .box(seen(centre_b), 1.0, 1.5, right_turn, "B");
     d.centre(seen(centre_a)).centre(seen(centre_b));
-    d.arrow(seen(centre_a), seen(Vector3(touch - centre_a)), chart::Quantity::plain);
-    d.arrow(seen(centre_b), seen(Vector3(touch - centre_b)), chart::Quantity::plain);
+    d.arrow(seen(centre_a), seen(Vector3(touch - centre_a)), chart::Quantity::plain,
+            "lever of A");
+    d.arrow(seen(centre_b), seen(Vector3(touch - centre_b)), chart::Quantity::plain,
+            "lever of B");
     d.arrow(seen(touch), seen(n, 0.55), chart::Quantity::momentum, "J");
     d.arrow(seen(touch), seen(n, -0.55), chart::Quantity::momentum, "−J");
-    d.note(seen(Vector3(0.5 * centre_a - 0.12 * v)), "lever of A");
-    d.note(seen(Vector3(0.5 * centre_b - 0.55 * x)), "lever of B");
     const auto turning = [&](const Vector3& centre, const Vector3& J) {
         const double side = (touch - centre).cross(J).z() > 0 ? 1 : -1;
         d.arc(seen(centre), 0.22, pi / 2 - side * 1.2, pi / 2 + side * 1.2,

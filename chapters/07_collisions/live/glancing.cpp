@@ -29,8 +29,11 @@ class LiveGlancing : public live::Figure {
     }
     std::vector<live::State> states() const override {
         return {
-            {.key = "normal", .words = "along the normal", .setting = {0, {1, 0.7}}, .time = 2.5},
-            {.key = "printed", .words = "as printed", .setting = {1, {1, 0.7}}, .time = 2.5}};
+            {.key = "normal",
+             .words = "along the normal",
+             .setting = {0, {1, 0.7}},
+             .time = 2.25},
+            {.key = "printed", .words = "as printed", .setting = {1, {1, 0.7}}, .time = 2.25}};
     }
     void begin(const live::Setting& setting) override {
         choice_ = setting.choice;
@@ -78,7 +81,7 @@ class LiveGlancing : public live::Figure {
     }
     pic::Size size() const override { return {960, 440}; }
     pic::Camera camera(pic::Size size) const override {
-        return camera_on({-3.6, -0.5, -2.7}, {3.2, -0.5, 1.9}, {0, 2, 1}, size);
+        return camera_on({-3.6, -0.5, -3.3}, {3.2, -0.5, 1.9}, {0, 2, 1}, size);
     }
     std::vector<live::Number> numbers() const override {
         const Vector3 va = velocity(scene_.a), vb = velocity(scene_.b);

@@ -26,10 +26,10 @@ class LivePool : public live::Figure {
     std::vector<live::State> states() const override {
         return {
             {.key = "break",
-             .words = "0.15 s after the start",
+             .words = "0.35 s after the start",
              .setting = {0, {0.95, 5}},
-             .time = 0.15},
-            {.key = "elastic", .words = "without loss", .setting = {0, {1, 5}}, .time = 0.15}};
+             .time = 0.35},
+            {.key = "elastic", .words = "without loss", .setting = {0, {1, 5}}, .time = 0.35}};
     }
     void begin(const live::Setting& setting) override {
         balls_ = pool_break(8, 1e-5, setting.values.at(1) / 1000);
@@ -48,14 +48,9 @@ class LivePool : public live::Figure {
     pic::Drawing drawing(double) const override {
         pic::Drawing drawing;
         const double r = balls_.radius;
-        drawing.stage({{0.1, 0, 0}, 0.75}).ground({.height = -r, .spacing = 0.1});
+        drawing.stage({{0.2, 0, 0}, 1}).ground({.height = -r, .spacing = 0.1});
         for (std::size_t i = 0; i < balls_.all.size(); ++i) {
             const Vector3& p = balls_.all[i].position;
-            if (steps_ > 0 && (p - start_[i].position).norm() > 1e-4)
-                drawing.add(pic::Ball{.centre = start_[i].position,
-                                      .radius = r,
-                                      .colour = pic::palette::ink,
-                                      .look = pic::Look::ghost});
             drawing.add(pic::Ball{.centre = p,
                                   .radius = r,
                                   .colour = i == 0 ? pic::palette::gold : pic::palette::body});
@@ -70,7 +65,7 @@ class LivePool : public live::Figure {
     }
     pic::Size size() const override { return {960, 480}; }
     pic::Camera camera(pic::Size size) const override {
-        return camera_on({-0.45, 0, -0.36}, {0.85, 0, 0.36}, {0, 1.6, 1}, size);
+        return camera_on({-0.7, 0, -0.5}, {1.1, 0, 0.5}, {0, 1.6, 1}, size);
     }
     std::vector<live::Number> numbers() const override {
         return {{"impacts", static_cast<double>(impacts_), ""},
