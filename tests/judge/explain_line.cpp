@@ -30,7 +30,7 @@ constexpr std::array<Pair, 44> dictionary{{
     {"vector", "Vector3 for arrows, std::vector<double> for lists"},
     {"normalize", "a member function: v.normalized()"},
     {"normalized", "a member function: v.normalized()"},
-    {"null", "no null for values"},
+    {"null", "std::nullopt, where a std::optional is returned, and no null for other values"},
     {"elseif", "else if"},
     {"string", "std::string"},
     {"mod", "std::fmod(x, y), or std::remainder for the nearest"},
@@ -50,7 +50,7 @@ constexpr std::array<Pair, 44> dictionary{{
     {"elif", "else if"},
     {"then", "nothing: the statement stands right behind if (...)"},
     {"and_then", "a statement of its own"},
-    {"None", "no value: every path must return one"},
+    {"None", "std::nullopt, where a std::optional is returned; elsewhere every path must return a value"},
     {"True", "true"},
     {"False", "false"},
     {"Return", "return"},
@@ -115,6 +115,7 @@ std::string nearest(const std::string& name, const std::vector<std::string>& all
     std::string best;
     std::size_t least = name.size() <= 3 ? 2 : 3;
     for (const auto& other : all) {
+        if (name.size() == 1 && lower(name) != lower(other)) continue;  // a letter is near to every letter
         const std::size_t away = lower(name) == lower(other) ? 0 : distance(name, other);
         if (away < least && other != name) best = other, least = away;
     }
