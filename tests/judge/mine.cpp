@@ -7,6 +7,7 @@
 #include "check.hpp"
 #include "judge_config.hpp"
 #include "text.hpp"
+#include "touched.hpp"
 
 namespace nutshell::judge {
 
@@ -39,17 +40,16 @@ std::string engine(const fs::path& own_file, const std::string& own_text, const 
     std::map<Number, std::string> bodies;
     for (const Body& body : reference.bodies) {
         const Body* answer = own.body(body.number);
-        const bool broken = std::find(cannot_run.begin(), cannot_run.end(), body.number) != cannot_run.end();
-        if (broken) bodies[body.number] = body.text;
-        if (broken) continue;
-        if (!answer || !is_unanswered(*answer)) {
-            stock.own.push_back(body.number);
-            continue;
-        }
-        stock.reference.push_back(body.number);
-        bodies[body.number] = body.text;
+        const bool broken = std::find(cannot_run.begin(), cannot_run.end(), body.number) != cannot_run.end(),
+                   missing = answer && is_unanswered(*answer);
+        if (!broken) (missing ? stock.reference : stock.own).push_back(body.number);
+        if (broken || missing)
+            bodies[body.number] = touch_line(body.number) + body.text;
+        else if (answer)
+            bodies[body.number] = touch_line(body.number) + "#line " + std::to_string(answer->begin + 2) +
+                                  " \"" + own_file.string() + "\"\n" + answer->text;
     }
-    return with_stand_ins(own, bodies, own_file.string());
+    return "#include <nutshell/lab/touched.hpp>\n" + with_stand_ins(own, bodies, own_file.string());
 }
 
 }  // namespace
@@ -135,7 +135,18 @@ int verb_mine(const Rooms& rooms, const std::string& which, const fs::path& want
     const Lock lock(CONFIG_MINE);
     const std::vector<Number> own = stock_mine(rooms, chapter, Broken::has_a_stand_in);
     const std::string target = "mine_" + chapter.folder;
-    build_mine(rooms, chapter, target);
+    Anew anew = anew_for(rooms, chapter, out);
+    if (!anew.all && anew.parts.empty()) {
+        std::cout
+            << "No part of the chapter runs what has changed since the last time: nothing to draw anew.\n";
+        write_text(touched_file(chapter), "");
+        remember(rooms, chapter, out, anew);
+        return 0;
+    }
+    if (anew.all || !build_sources(target, anew.sources)) anew = {}, build_mine(rooms, chapter, target);
+    if (!anew.all)
+        std::cout << folded(
+            "Only what runs the changed answer is made anew: " + joined(anew.parts, ", ") + ".", 0);
 
     // the reference's curves, as ghosts; they are drawn again only if its program is newer
     const fs::path reference = fs::path(CONFIG_BIN) / chapter.folder,
@@ -153,9 +164,16 @@ int verb_mine(const Rooms& rooms, const std::string& which, const fs::path& want
     std::vector<std::string> words{(fs::path(CONFIG_BIN) / target).string(), "--out", out.string()};
     if (!own.empty())
         words.insert(words.end(), {"--beside", points.string(), "--yours", "your " + ranges(own)});
+    write_text(touched_file(chapter), "");
+    words.insert(words.end(), {"--touched", touched_file(chapter).string()});
+    if (!anew.all) words.insert(words.end(), {"--only", joined(anew.parts, ",")});
     const Ran ran = run(words, {.wall_seconds = 600, .printed = 1 << 20});
     std::cout << ran.out << std::flush;
     std::cerr << ran.err;
+    if (ran.exit_code == 0 && !ran.signal && !ran.out_of_time)
+        remember(rooms, chapter, out, anew);
+    else
+        forget(chapter);
     if (ran.out_of_time || ran.signal)
         throw std::runtime_error(ran.out_of_time ? "it did not come to an end within ten minutes: stopped"
                                                  : "it crashed on your answers (signal " +

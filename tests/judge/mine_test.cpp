@@ -54,4 +54,19 @@ TEST_CASE("run --mine: the numbers follow the answer, and the reference stands i
     };
     CHECK(std::abs(value("frame_rate.euler.60") + 9.81 * 3 / 60 / 2) < 1e-9);
     CHECK(std::abs(value("frame_rate.verlet.60")) < 1e-9);
+
+    // a second answer: only the parts that run it are made anew, and what the others found stays
+    learner.answer({1, 6}, "    return 2 * acceleration * duration * dt;");
+    const Ran again = run_mine();
+    INFO(again.out << again.err);
+    REQUIRE(again.exit_code == 0);
+    CHECK_THAT(again.out, ContainsSubstring("Only what runs the changed answer is made anew: "));
+    CHECK_THAT(again.out, ContainsSubstring("Thrown ball"));
+    CHECK_FALSE(contains(again.out, "Planet"));
+    const auto before = numbers;
+    numbers = numbers_in(learner.folder / "out");
+    CHECK(numbers["planet.verlet.energy_change"] == before.at("planet.verlet.energy_change"));
+    CHECK(value("throw.verlet.off_the_law") > 0.1);
+    CHECK(std::stod(before.at("throw.verlet.off_the_law").substr(25)) < 1e-9);
+    CHECK(numbers.size() == before.size());
 }

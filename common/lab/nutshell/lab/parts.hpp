@@ -13,7 +13,8 @@ struct Part {
 /// The frame of a chapter's main, as `program` of one function, part by part. For a learner's code:
 /// `--points DIR` keeps the points of every chart; `--beside DIR --yours WORDS` draws every chart beside
 /// those kept in DIR and says whose it is; a part that cannot be measured then is a sentence, and the others
-/// run all the same.
+/// run all the same. `--touched FILE` writes which bodies of exercises each part ran (touched.hpp), a line
+/// `part|source|N.M` each; `--only A,B` runs these parts and keeps the numbers of the others.
 /// @return the exit code: 0, 1 if the chapter failed, 2 if the arguments are wrong
 int program(int argc, char** argv, const std::string& name, const std::vector<Part>& parts);
 
