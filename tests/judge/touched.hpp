@@ -1,5 +1,5 @@
-// What `run --mine` must make anew after an answer has changed: the parts of the chapter's program that ran the
-// changed bodies last time, and the files of it that hold their code.
+// What `run --mine` must make anew after an answer has changed: the parts of the chapter's program that ran
+// the changed bodies last time, and the files of it that hold their code.
 #pragma once
 #include <filesystem>
 #include <string>
@@ -23,8 +23,8 @@ std::filesystem::path touched_file(const Chapter& chapter);
 void remember(const Rooms& rooms, const Chapter& chapter, const std::filesystem::path& out, const Anew& made);
 void forget(const Chapter& chapter);
 
-/// Compiles only these sources of mine_NN_name, and links them before the others: a function that several files
-/// hold is then the new one. @return false if that cannot be done or fails
+/// Compiles only these sources of mine_NN_name, and links them before the others: a function that several
+/// files hold is then the new one. @return false if that cannot be done or fails
 bool build_sources(const std::string& target, const std::vector<std::string>& sources);
 
 }  // namespace nutshell::judge

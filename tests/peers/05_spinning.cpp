@@ -1,5 +1,5 @@
-// Chapter 5's scenes S6 and S6 fast in Bullet: a ball that spins steadily for a thousand turns, steps of 1/60 s.
-// How many turns it makes; what a clamp of 45 degrees a step, made by halves, says; ours beside it.
+// Chapter 5's scenes S6 and S6 fast in Bullet: a ball that spins steadily for a thousand turns, steps of
+// 1/60 s. How many turns it makes; what a clamp of 45 degrees a step, made by halves, says; ours beside it.
 //   peers_05_spinning [--check]    --check: fail if Bullet does not make the turns that the page says
 #include <btBulletDynamicsCommon.h>
 #include <cstdio>
