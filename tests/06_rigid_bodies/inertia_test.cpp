@@ -1,4 +1,5 @@
 // Chapter 6: inertia, against sums over the same mass cut into small pieces, and what no body can have.
+#include <Eigen/Eigenvalues>
 #include <nutshell/assembly.hpp>
 #include <nutshell/mesh_shapes.hpp>
 #include <nutshell/rotations.hpp>
@@ -129,6 +130,20 @@ TEST_CASE(
     CHECK_THROWS_WITH(principal_axes(skew), ContainsSubstring("symmetric"));
     skew(0, 0) = std::nan("");
     CHECK_THROWS_WITH(principal_axes(skew), ContainsSubstring("finite"));
+    // Against Eigen's solver, which works in another way: tridiagonal, then QR. Both are good to a few epsilon.
+    Matrix3 mixed;
+    for (int seed = 1; seed <= 1000; ++seed) {
+        for (int i = 0; i < 3; ++i)
+            for (int j = 0; j <= i; ++j) mixed(i, j) = mixed(j, i) = std::sin(seed * (3 * i + j + 1.7));
+        if (seed % 5 == 0) mixed(0, 1) = mixed(1, 0) = 1e-12 * mixed(0, 1);
+        if (seed % 7 == 0) mixed(2, 2) = mixed(1, 1);
+        const PrincipalAxes ours = symmetric_axes(mixed);
+        const Eigen::SelfAdjointEigenSolver<Matrix3> theirs(mixed);
+        REQUIRE((ours.moments - theirs.eigenvalues()).norm() < 40 * epsilon);
+        REQUIRE((in_world(ours.moments.asDiagonal(), ours.axes) - mixed).norm() < 40 * epsilon);
+        REQUIRE((ours.axes.transpose() * ours.axes - Matrix3::Identity()).norm() < 20 * epsilon);
+        REQUIRE(ours.axes.determinant() > 0);
+    }
     CHECK(why_impossible({1, 1, 2}).empty());  // flat: on the border
     CHECK_THAT(why_impossible({1, 1, 2.01}), ContainsSubstring("2.01"));
     CHECK_THAT(why_impossible({-1, 1, 1}), ContainsSubstring("negative"));

@@ -1,6 +1,7 @@
 // Chapter 6 · Inertia: how hard it is to turn a thing, about every axis at once.
 #pragma once
-#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <array>
 #include <nutshell/require.hpp>
 #include <nutshell/revised_newton.hpp>
 #include <span>
@@ -116,6 +117,41 @@ struct PrincipalAxes {
     Matrix3 axes;     ///< right-handed: a column is a principal axis, in the axes of the shape
 };
 
+/// Eigenvalues of a symmetric matrix, the smallest first, and its eigenvectors: turn about one
+/// axis after the other, each time so that the entry of the two others vanishes, until all have.
+/// Every turn makes the entries' squares smaller; five rounds are enough for round-off. No checks.
+/// Source: C. G. J. Jacobi (1846); G. H. Golub, C. F. Van Loan, Matrix Computations, 8.5.
+inline PrincipalAxes symmetric_axes(Matrix3 matrix) {
+    Matrix3 axes = Matrix3::Identity();
+    const double small = 1e-18 * matrix.cwiseAbs().maxCoeff();
+    for (int round = 0; round < 20; ++round) {
+        bool done = true;
+        for (const auto& [i, j] : {std::pair{0, 1}, {0, 2}, {1, 2}}) {
+            if (!(std::abs(matrix(i, j)) > small)) continue;
+            done = false;
+            const double cot2 = (matrix(j, j) - matrix(i, i)) / (2 * matrix(i, j));
+            const double t =
+                std::copysign(1 / (std::abs(cot2) + std::sqrt(1 + cot2 * cot2)), cot2);
+            Matrix3 turn = Matrix3::Identity();  // tan is t, at most 45 degrees
+            turn(i, i) = turn(j, j) = 1 / std::sqrt(1 + t * t);
+            turn(i, j) = t * turn(i, i), turn(j, i) = -turn(i, j);
+            matrix = Matrix3(turn.transpose() * matrix * turn), axes = Matrix3(axes * turn);
+            matrix(i, j) = matrix(j, i) = 0;
+        }
+        if (done) break;
+    }
+    std::array<int, 3> order{0, 1, 2};
+    std::sort(order.begin(), order.end(),
+              [&](int a, int b) { return matrix(a, a) < matrix(b, b); });
+    PrincipalAxes found;
+    for (int k = 0; k < 3; ++k) {
+        const int from = order[static_cast<std::size_t>(k)];
+        found.moments[k] = matrix(from, from), found.axes.col(k) = axes.col(from);
+    }
+    if (found.axes.determinant() < 0) found.axes.col(0) *= -1;
+    return found;
+}
+
 /// Principal axes of an inertia tensor [kg m^2]: the eigenvectors of a symmetric matrix. One that
 /// is diagonal already, but for round-off, keeps its axes in their order.
 /// @throws std::invalid_argument with the reason if the tensor is not finite, not symmetric, or
@@ -127,11 +163,7 @@ inline PrincipalAxes principal_axes(const Matrix3& inertia) {
             "an inertia tensor is symmetric, this one is not: was it turned by R I R^T?");
     PrincipalAxes found{inertia.diagonal(), Matrix3::Identity()};
     const Matrix3 mixed = inertia - Matrix3(found.moments.asDiagonal());
-    if (mixed.cwiseAbs().maxCoeff() > 1e-15 * size) {
-        const Eigen::SelfAdjointEigenSolver<Matrix3> solver(inertia);
-        found = {solver.eigenvalues(), solver.eigenvectors()};
-        if (found.axes.determinant() < 0) found.axes.col(0) *= -1;
-    }
+    if (mixed.cwiseAbs().maxCoeff() > 1e-15 * size) found = symmetric_axes(inertia);
     const std::string reason = why_impossible(found.moments);
     require(reason.empty(), "no body has this inertia tensor: " + reason);
     return found;

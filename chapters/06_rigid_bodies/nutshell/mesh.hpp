@@ -127,9 +127,7 @@ inline MassProperties mass_properties(const Mesh& mesh, double density) {
     constexpr double slack = 1 + 1e-5;
     const Vector3 half = slack * (high - low) / 2;
     const Vector3 spread = second.diagonal() / volume;  // mean square distance from the centre
-    std::string reason = why_impossible(
-        Eigen::SelfAdjointEigenSolver<Matrix3>(inertia, Eigen::EigenvaluesOnly).eigenvalues(),
-        slack - 1);
+    std::string reason = why_impossible(symmetric_axes(inertia).moments, slack - 1);
     if (volume > slack * (high - low).prod()) reason = "it encloses more than its bounding box";
     if ((centre.cwiseAbs().array() > half.array()).any()) reason = "its centre lies outside";
     if ((spread.array() > half.array().square()).any()) reason = "its inertia is too large";
