@@ -33,7 +33,7 @@ TEST_CASE("falling with drag: one exact step, then the orders in their order") {
     CHECK(euler_1 < verlet_1);  // drag inside the kick makes Verlet worse than Euler here
 }
 
-TEST_CASE("falling: Euler's error in position is -1/nu times that in velocity and dies out; Verlet's stays") {
+TEST_CASE("falling: Euler's error in position is -1/nu times that in velocity and dies out, Verlet's stays") {
     FallingWithDrag scene;
     const double nu = scene.drag / scene.start.mass;
     const auto off = [&](const auto& method, double dt) {  // of position [m] and velocity [m/s], in the end

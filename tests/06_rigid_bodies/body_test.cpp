@@ -45,8 +45,7 @@ TEST_CASE(
     CHECK(seesaw.force == Vector3(0, -700, 0));
 }
 
-TEST_CASE(
-    "Forces at points of a body: what they do about the centre and at it is their torque about the origin") {
+TEST_CASE("Forces at points of a body: about the centre and at it, their torque about the origin") {
     // Which point a body's L is taken about may move as it likes, if it is the centre of mass: the sum of the
     // torque about the centre and of the force at the centre is the torque about a point that stands still.
     const Body before = some_body({1, 2, 2.5});

@@ -130,7 +130,8 @@ TEST_CASE(
     CHECK_THROWS_WITH(principal_axes(skew), ContainsSubstring("symmetric"));
     skew(0, 0) = std::nan("");
     CHECK_THROWS_WITH(principal_axes(skew), ContainsSubstring("finite"));
-    // Against Eigen's solver, which works in another way: tridiagonal, then QR. Both are good to a few epsilon.
+    // Against Eigen's solver, which works in another way: tridiagonal, then QR. Both are good to a few
+    // epsilon.
     Matrix3 mixed;
     for (int seed = 1; seed <= 1000; ++seed) {
         for (int i = 0; i < 3; ++i)

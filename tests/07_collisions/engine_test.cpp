@@ -111,7 +111,7 @@ TEST_CASE("Two balls that fly at each other meet: their contact is found for the
     }
 }
 
-TEST_CASE("A box dropped flat bounces by its restitution; one relaxing pass for four corners is not enough") {
+TEST_CASE("A box dropped flat bounces by its restitution, for which one relaxing pass is not enough") {
     const auto apex_after = [](double restitution, int bouncing) {
         World world;
         world.walls = {Plane{}};

@@ -79,9 +79,9 @@ struct Polygon {
     }
 };
 
-/// What is left of a polygon where sign * coordinate `axis` is at most `limit`. A corner that stays
-/// keeps its name. A new one is named after the corner n on the inner side of its edge and the
-/// cutting `side`: 10 n + side where the polygon leaves, 10 n + 5 + side where it comes back.
+/// What is left of a polygon where sign * coordinate `axis` is at most `limit`. A corner that
+/// stays keeps its name. A new one has its name from the inner corner n of its edge and the
+/// `side` that cuts: 10 n + side where the polygon leaves, 10 n + 5 + side where it comes back.
 /// Source: I. Sutherland, G. Hodgman, Commun. ACM 17 (1974) 32.
 inline Polygon clipped(const Polygon& from, int axis, double sign, double limit, int side) {
     // exercise 7.9
