@@ -1,6 +1,6 @@
 // Chapter 7 · Contacts: where two shapes touch, or are about to, and along which normal.
 #pragma once
-#include <nutshell/box_contacts.hpp>
+#include <nutshell/hull_contacts.hpp>
 #include <nutshell/time_of_impact.hpp>
 
 namespace nutshell {
@@ -25,6 +25,20 @@ inline void find_contacts(const Plane& plane, const Box& box, const Body& body, 
         const double gap = distance_to(plane, point);
         if (gap < margin)
             found.push_back({point - gap / 2 * plane.normal, plane.normal, gap, corner});
+    }
+}
+
+/// And so does a hull.
+inline void find_contacts(const Plane& plane, const Hull& hull, const Body& body, double margin,
+                          std::vector<Contact>& found) {
+    const Matrix3 axes = rotation_matrix(body.orientation);
+    int number = 0;
+    for (const Vector3& corner : hull.form->corners) {
+        const Vector3 point = body.position + axes * corner;
+        const double gap = distance_to(plane, point);
+        if (gap < margin)
+            found.push_back({point - gap / 2 * plane.normal, plane.normal, gap, number});
+        ++number;
     }
 }
 
@@ -84,6 +98,74 @@ inline void find_contacts(const Sphere& sphere, const Body& a, const Box& box, c
     for (std::size_t i = before; i < found.size(); ++i) found[i].normal = -found[i].normal;
 }
 // [/sphere_contacts]
+
+// [hull_and_sphere]
+/// The point of a hull's face nearest to `point` [m], body axes: straight below it, or on a side.
+inline Vector3 nearest_on_face(const Polyhedron& form, std::size_t f, const Vector3& point) {
+    const auto& face = form.faces[f];
+    const Vector3 &n = form.normals[f], foot = point - n.dot(point - form.corners[face[0]]) * n;
+    Vector3 nearest = foot;
+    bool inside = true;
+    double least = immovable;
+    for (std::size_t k = 0; k < face.size(); ++k) {
+        const Vector3 &p = form.corners[face[k]],
+                      side = form.corners[face[(k + 1) % face.size()]] - p;
+        const double part = side.dot(foot - p) / side.squaredNorm();
+        const Vector3 on_side = p + std::clamp(part, 0.0, 1.0) * side;
+        inside = inside && side.cross(n).dot(foot - p) <= 0;
+        if ((foot - on_side).norm() < least) least = (foot - on_side).norm(), nearest = on_side;
+    }
+    return inside ? foot : nearest;
+}
+
+/// A sphere touches a hull at the hull's point nearest to its centre; a centre inside the hull,
+/// or nearer than a billionth of its reach, at the nearest face.
+inline void find_contacts(const Hull& hull, const Body& a, const Sphere& sphere, const Body& b,
+                          double margin, std::vector<Contact>& found) {
+    const Polyhedron& form = *hull.form;
+    const Vector3 centre = rotate(inverse(a.orientation), b.position - a.position);
+    double distance = -immovable;
+    Vector3 n = Vector3::Zero();
+    for (std::size_t f = 0; f < form.faces.size(); ++f) {
+        const double above = form.normals[f].dot(centre - form.corners[form.faces[f][0]]);
+        if (above > distance) distance = above, n = form.normals[f];
+    }
+    if (distance > 1e-9 * form.reach && distance < sphere.radius + margin) {
+        Vector3 way = Vector3::Constant(immovable);
+        for (std::size_t f = 0; f < form.faces.size(); ++f) {
+            if (form.normals[f].dot(centre - form.corners[form.faces[f][0]]) <= 0) continue;
+            const Vector3 from = centre - nearest_on_face(form, f, centre);
+            if (from.squaredNorm() < way.squaredNorm()) way = from;
+        }
+        distance = way.norm(), n = way / distance;
+    }
+    const double gap = distance - sphere.radius;
+    if (gap >= margin) return;
+    const Vector3 middle = centre - (distance - gap / 2) * n;
+    found.push_back(
+        {a.position + rotate(a.orientation, middle), rotate(a.orientation, n), gap, 0});
+}
+inline void find_contacts(const Sphere& sphere, const Body& a, const Hull& hull, const Body& b,
+                          double margin, std::vector<Contact>& found) {
+    const std::size_t before = found.size();
+    find_contacts(hull, b, sphere, a, margin, found);
+    for (std::size_t i = before; i < found.size(); ++i) found[i].normal = -found[i].normal;
+}
+// [/hull_and_sphere]
+
+/// Two hulls, or a hull and a box.
+inline void find_contacts(const Hull& s, const Body& a, const Hull& t, const Body& b,
+                          double margin, std::vector<Contact>& found) {
+    find_contacts(placed(s, a), placed(t, b), margin, found);
+}
+inline void find_contacts(const Box& s, const Body& a, const Hull& t, const Body& b,
+                          double margin, std::vector<Contact>& found) {
+    find_contacts(placed(s, a), placed(t, b), margin, found);
+}
+inline void find_contacts(const Hull& s, const Body& a, const Box& t, const Body& b,
+                          double margin, std::vector<Contact>& found) {
+    find_contacts(placed(s, a), placed(t, b), margin, found);
+}
 
 /// Rods touch walls only: the course has no scene in which they touch each other.
 template <class A, class B>

@@ -102,10 +102,11 @@ class Engine {
     bool moves(const World& world, std::size_t i) const {
         return world.bodies[i].mass < immovable && !asleep(i);
     }
-    /// Whether a box flies half of its reach in a step.
+    /// Whether a box or hull flies half of its reach in a step.
     static bool boxes_are_hasty(const World& world, double dt) {
         for (std::size_t i = 0; i < world.bodies.size(); ++i)
-            if (std::holds_alternative<Box>(world.shapes[i]) &&
+            if ((std::holds_alternative<Box>(world.shapes[i]) ||
+                 std::holds_alternative<Hull>(world.shapes[i])) &&
                 dt * velocity(world.bodies[i]).norm() > reach(world.shapes[i]) / 2)
                 return true;
         return false;

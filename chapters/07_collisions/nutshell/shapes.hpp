@@ -1,8 +1,7 @@
 // Chapter 7 · Shapes: what can touch. A shape is at home in the axes of its body, its centre in
 // the origin.
 #pragma once
-#include <nutshell/require.hpp>
-#include <nutshell/vector.hpp>
+#include <nutshell/hull.hpp>
 #include <variant>
 
 namespace nutshell {
@@ -24,7 +23,8 @@ struct Capsule {
     double half_length, radius;
 };
 
-using Shape = std::variant<Sphere, Box, Capsule>;
+/// Or a Hull, a convex piece with flat faces: hull.hpp.
+using Shape = std::variant<Sphere, Box, Capsule, Hull>;
 
 /// What never moves: all points x with normal . x <= offset. The normal is a unit vector and
 /// points out of the wall, world axes; offset in m.
