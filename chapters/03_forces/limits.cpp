@@ -31,7 +31,7 @@ void limits_table(lab::Report& report) {
                 cells.push_back("");
                 continue;
             }
-            const long steps = std::max(30'000L, theory.steps_to_grow(3e3, c.omega, c.nu));
+            const long steps = std::max(10'000L, theory.steps_to_grow(3e3, c.omega, c.nu));
             const auto stable = [&](double dt) {
                 return lab::stays_within(spring_of(c.omega, c.nu), method, dt, steps, 1000,
                                          [](const auto& s) { return size_of(s); });

@@ -2,6 +2,7 @@
 #include <nutshell/chart/chart.hpp>
 #include <nutshell/chart/diagram.hpp>
 #include <nutshell/impact_scenes.hpp>
+#include <nutshell/impacts_at_once.hpp>
 #include "program.hpp"
 
 namespace nutshell {

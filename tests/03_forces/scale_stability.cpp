@@ -88,8 +88,8 @@ std::vector<double> frequencies_of(const SpringNet& net) {
     Eigen::MatrixXd stiffness = Eigen::MatrixXd::Zero(Eigen::Index(2 * n), Eigen::Index(2 * n));
     for (const auto& [a, b, spring] : links)
         for (Eigen::Index axis = 0; axis < 2; ++axis) {
-            const Vector3 change = spring_force_change(spring, net.start.position[a], net.start.position[b],
-                                                       Vector3::Unit(axis));
+            const Vector3 change =
+                spring_slope(spring, net.start.position[a], net.start.position[b]).col(axis);
             for (Eigen::Index other = 0; other < 2; ++other) {
                 const auto i = 2 * Eigen::Index(a), j = 2 * Eigen::Index(b);
                 stiffness(i + other, i + axis) -= change[other],

@@ -1,5 +1,6 @@
 // Impacts of particles: eqs. (64)-(71) along the normal, and what is wrong with them as printed.
 #include <nutshell/impact_scenes.hpp>
+#include <nutshell/impacts_at_once.hpp>
 #include "near.hpp"
 
 using namespace nutshell;

@@ -1,14 +1,21 @@
 // What the sheet always needs, compiled once: most of a sheet's compile time is here.
+#include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <functional>
+#include <map>
+#include <nutshell/method.hpp>
 #include <nutshell/require.hpp>
 #include <nutshell/unanswered.hpp>
 #include <nutshell/vector.hpp>
 #include <optional>
+#include <span>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <tuple>
 #include <utility>
+#include <variant>
 #include <vector>

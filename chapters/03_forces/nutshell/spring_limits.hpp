@@ -83,7 +83,10 @@ struct Mode {
 
 /// @param at  the state whose positions the springs are linearised at
 inline Mode fastest_mode(const SpringNet& net, const Particles& at, int iterations = 2000) {
-    const Springs springs = list_of(net.springs);
+    const std::vector<Link> links = list_of(net.springs).links;
+    std::vector<Matrix3> slopes;
+    for (const auto& [a, b, spring] : links)
+        slopes.push_back(spring_slope(spring, at.position[a], at.position[b]));
     Mode mode{0, Vector3Array(at.size())};
     Vector3Array change(at.size());
     std::vector<bool> moves(at.size(), true);
@@ -97,9 +100,9 @@ inline Mode fastest_mode(const SpringNet& net, const Particles& at, int iteratio
     }
     for (int iteration = 0; iteration < iterations; ++iteration) {
         for (std::size_t i = 0; i < at.size(); ++i) change.set(i, Vector3::Zero());
-        for (const auto& [a, b, spring] : springs.links) {
-            const Vector3 on_a = spring_force_change(spring, at.position[a], at.position[b],
-                                                     mode.shape[a] - mode.shape[b]);
+        for (std::size_t k = 0; k < links.size(); ++k) {
+            const auto [a, b, spring] = links[k];
+            const Vector3 on_a = slopes[k] * (mode.shape[a] - mode.shape[b]);
             add(change, a, on_a);
             add(change, b, -on_a);
         }

@@ -162,19 +162,19 @@ inline GridSprings checked(GridSprings grid, std::size_t particles) {
     return grid;
 }
 
-// [pull_change]
-/// How the force [N] of a spring on its end changes when this end moves by a small `shift` [m]:
-/// along the spring by its stiffness, across it by its tension over its length. minus the second
-/// derivative of the energy.
-inline Vector3 spring_force_change(const Spring& spring, const Vector3& end,
-                                   const Vector3& other_end, const Vector3& shift) {
+// [spring_slope]
+/// How the force [N] of a spring on its end changes when this end moves a little: times the shift
+/// [m]. Along the spring by its stiffness, across it by its tension over its length. Minus the
+/// second derivative of the energy [N/m].
+inline Matrix3 spring_slope(const Spring& spring, const Vector3& end, const Vector3& other_end) {
     const Vector3 d = end - other_end;
     const double length = d.norm();
     if (length == 0)
-        return spring.rest_length == 0 ? Vector3(-spring.stiffness * shift) : Vector3::Zero();
-    const Vector3 along = d / length * d.dot(shift) / length;
-    return -spring.stiffness * (along + (1 - spring.rest_length / length) * (shift - along));
+        return (spring.rest_length == 0 ? -spring.stiffness : 0) * Matrix3::Identity();
+    const Matrix3 along = d * d.transpose() / (length * length);
+    const double across = 1 - spring.rest_length / length;
+    return -spring.stiffness * (along + across * (Matrix3::Identity() - along));
 }
-// [/pull_change]
+// [/spring_slope]
 
 }  // namespace nutshell

@@ -96,18 +96,19 @@ inline Particles LinearImplicitEuler::operator()(Particles all, const SpringNet&
     const std::size_t n = all.size();
     std::vector<char> held(n, 0);
     for (const std::size_t i : net.held) held[i] = 1;
-    // the slope without the push across compressed springs: a spring that is too short acts along
-    // itself only
+    // without the push across compressed springs: one that is too short acts along itself only
+    std::vector<Matrix3> slopes;
+    for (auto [a, b, spring] : list.links) {
+        const Vector3 from = all.position[a], to = all.position[b];
+        spring.rest_length = std::min(spring.rest_length, (from - to).norm());
+        slopes.push_back(spring_slope(spring, from, to));
+    }
     const auto change = [&](const Vector3Array& shift, Vector3Array& into) {
         into.resize(n);
         for (std::size_t i = 0; i < n; ++i) into.set(i, Vector3::Zero());
-        for (const Link& link : list.links) {
-            const Vector3 way = all.position[link.a] - all.position[link.b];
-            Spring spring = link.spring;
-            spring.rest_length = std::min(spring.rest_length, way.norm());
-            const Vector3 on_a =
-                spring_force_change(spring, all.position[link.a], all.position[link.b],
-                                    shift[link.a] - shift[link.b]);
+        for (std::size_t k = 0; k < slopes.size(); ++k) {
+            const Link& link = list.links[k];
+            const Vector3 on_a = slopes[k] * (shift[link.a] - shift[link.b]);
             add(into, link.a, on_a), add(into, link.b, -on_a);
         }
         for (const std::size_t i : net.held) into.set(i, Vector3::Zero());

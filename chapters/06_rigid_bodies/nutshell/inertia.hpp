@@ -1,5 +1,6 @@
 // Chapter 6 · Inertia: how hard it is to turn a thing, about every axis at once.
 #pragma once
+#include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <nutshell/require.hpp>
@@ -80,8 +81,9 @@ inline Vector3 spin_of(const Matrix3& inertia, const Matrix3& rotation, const Ve
             "spin_of: the inertia tensor has no inverse: a moment is zero, as of a rod without "
             "thickness");
     // exercise 6.4
-    const Vector3 own = rotation.transpose() * L;
-    return rotation * Vector3(inertia.ldlt().solve(own));
+    const Matrix3 answer = inertia.inverse();
+    const Vector3 own = rotation.transpose() * L, spin = answer * own;
+    return rotation * spin;
     // end 6.4
 }
 // [/spin_of]

@@ -1,5 +1,6 @@
 // Newton's cradle: impacts one after another, and all at once.
 #include <nutshell/impact_scenes.hpp>
+#include <nutshell/impacts_at_once.hpp>
 #include <nutshell/live/figure.hpp>
 #include "../drawings.hpp"
 
