@@ -146,7 +146,8 @@ void cost(lab::Report& report) {
     const auto floor = lab::machine_floor();
     const auto& finest = curves[2].runs.back();
     const double per_step = finest.seconds_per_second * finest.dt;
-    report.say("A Verlet step takes " + lab::rounded(per_step * 1e9) +
+    report.say("A step of " + std::string(methods::verlet.name) + " takes " +
+               lab::rounded(per_step * 1e9) +
                " ns; one square root and division that wait for each other, the heart of its "
                "force, take " +
                lab::rounded(floor.square_root * 1e9) + " ns here.");

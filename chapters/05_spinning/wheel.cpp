@@ -114,9 +114,8 @@ void steady_spin(lab::Report& report) {
     chart.x = {"angle of one step, ω dt [rad]", chart::Scale::logarithmic};
     chart.y = {"angle missing each step [rad]", chart::Scale::logarithmic, 1e-13};
     chart.cut = true;
-    chart::Series first{"first order, divided"}, rk4{"RK4"}, first_law{"the laws"}, rk4_law{""};
-    first.look = methods::first_order_unit.look;
-    rk4.look = methods::rk4_pose.look;
+    chart::Series first = chart::series_of(methods::first_order_unit), first_law{"the laws"},
+                  rk4 = chart::series_of(methods::rk4_pose), rk4_law{""};
     first_law.draw = rk4_law.draw = chart::Draw::theory;
     double worst = 0;
     for (double theta = 0.01; theta < 5.6; theta *= 1.4) {
@@ -149,7 +148,8 @@ void steady_spin(lab::Report& report) {
     const double limit = lab::stability_limit(stable, 4, 7);
     report.number("rk4.limit", limit, "rad");
     report.number("rk4.limit_law", rk4_pose_limit, "rad");
-    report.say("RK4 is stable up to omega dt = " + lab::rounded(limit, "%.4f") +
+    report.say(std::string(methods::rk4_pose.name) +
+               " is stable up to omega dt = " + lab::rounded(limit, "%.4f") +
                "; 4 sqrt 2 = " + lab::rounded(rk4_pose_limit, "%.4f"));
 }
 

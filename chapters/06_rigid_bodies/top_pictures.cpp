@@ -86,7 +86,8 @@ void torque_of_a_top(lab::Report& report) {
     side.centre(c);
     side.dashed({{0, 0}, {c.x, 0}, c});
     side.dimension({0, -0.16}, {c.x, -0.16}, "l sin θ = 0.25 m");
-    side.arrow(c, {0, -0.05 * 9.81}, chart::Quantity::force, "m g = 9.81 N");
+    side.arrow(c, {0, -0.05 * top.weight / l}, chart::Quantity::force,
+               "m g = " + lab::rounded(top.weight / l) + " N");
     side.arrow({0, 0}, {0.3 * L * std::sin(lean), 0.3 * L * std::cos(lean)},
                chart::Quantity::angular_momentum, "L");
     side.angle({0, 0}, 0.3, pi / 2 - lean, pi / 2, "θ");

@@ -2,7 +2,7 @@
 // eight minutes.
 #include <nutshell/chart/chart.hpp>
 #include <nutshell/game_loop.hpp>
-#include <nutshell/universe.hpp>
+#include <nutshell/universe_scene.hpp>
 #include "program.hpp"
 
 namespace nutshell {
@@ -29,9 +29,9 @@ void universe(lab::Report& report) {
     const Universe scene;
     const auto dt = static_cast<float>(scene.dt);
     PrintedUniverse printed;
-    World world = scene.start();
+    World world = world_of(scene);
     Body mended = world.bodies[0];
-    Engine engine(scene.switches);
+    Engine engine(universe_switches);
     long first_contact = 0, first_nan = 0, contacts_at_nan = 0;
     double off = 0, off_mended = 0, stretch = 0, lowest = 1, touches = 0, rests = 0;
     chart::Series p{"as printed"}, m{"our engine"}, exact{"exact"};

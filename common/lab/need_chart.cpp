@@ -146,9 +146,14 @@ void report_least(Report& report, const std::string& key, const std::vector<Leas
 void draw_study(Report& report, const Plan& plan, const std::vector<Curve>& curves,
                 const std::vector<Least>& all, const Need& need) {
     report.data(plan.key + ".csv", work_precision_data(curves));
-    chart::Ranking lead = need_chart(all, need, plan.scene, plan.lead);
     chart::Figure behind =
         work_figure(curves, all, need, plan.behind, plan.scene + " Down and left is better.", plan.guides);
+    if (behind.panels.empty()) {
+        report.say("Not drawn: no run comes within " + rounded(highest_shown) +
+                   " times what is needed. Look for a wrong formula.");
+        return;
+    }
+    chart::Ranking lead = need_chart(all, need, plan.scene, plan.lead);
     lead.columns.front() = behind.panels.front().x.name = plan.work;
     chart::write_svg(lead, report.path(plan.key + "_need.svg"));
     chart::write_svg(behind, report.path(plan.key + ".svg"));

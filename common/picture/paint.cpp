@@ -1,9 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <stdexcept>
-
 #include "grid.hpp"
 #include "pieces.hpp"
 #include "projection.hpp"
@@ -65,13 +63,7 @@ class Painter {
   private:
     /// Nearest and farthest depth that matter: things, and the ground as far as it can be told from the sky.
     Projection fit_depths() const {
-        double nearest = std::numeric_limits<double>::infinity(), farthest = 0;
-        for (const Extent& extent : drawing_.extents()) {
-            const double depth = -view_.back.dot(frame_(extent.centre) - eye_),
-                         radius = extent.radius / frame_.unit;
-            nearest = std::min(nearest, depth - radius);
-            farthest = std::max(farthest, depth + radius);
-        }
+        auto [nearest, farthest] = depths_of(drawing_.extents(), frame_, view_, eye_);
         const double focus = eye_.norm();
         farthest = std::max(farthest, focus + 1);
         if (drawing_.ground().visible) {

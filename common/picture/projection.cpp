@@ -1,5 +1,6 @@
 #include "projection.hpp"
 
+#include <algorithm>
 #include <limits>
 
 namespace nutshell::picture {
@@ -19,6 +20,17 @@ Projection projection(const View& view, const Vector3d& eye, double near, double
     lens(2, 3) = 2 * far * near / (near - far);
     lens(3, 2) = -1;
     return {lens * look, near};
+}
+
+Depths depths_of(const std::vector<Extent>& things, const Frame& frame, const View& view,
+                 const Vector3d& eye) {
+    Depths depths{std::numeric_limits<double>::infinity(), 0};
+    for (const Extent& thing : things) {
+        const double depth = -view.back.dot(frame(thing.centre) - eye), radius = thing.radius / frame.unit;
+        depths.nearest = std::min(depths.nearest, depth - radius);
+        depths.farthest = std::max(depths.farthest, depth + radius);
+    }
+    return depths;
 }
 
 SunView sun_view(const std::vector<Extent>& casters, const Vector3d& sun) {

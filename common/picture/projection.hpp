@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "nutshell/picture/drawing.hpp"
+#include "pieces.hpp"
 #include "view.hpp"
 
 namespace nutshell::picture {
@@ -15,6 +16,13 @@ struct Projection {
 };
 /// @param eye, near, far  in the frame's units
 Projection projection(const View& view, const Eigen::Vector3d& eye, double near, double far);
+
+/// Between which depths before the eye things lie, in the frame's units; nothing lies between infinity and zero.
+struct Depths {
+    double nearest, farthest;
+};
+Depths depths_of(const std::vector<Extent>& things, const Frame& frame, const View& view,
+                 const Eigen::Vector3d& eye);
 
 /// How the sun sees what casts shadows: a map from the frame to the cube from 0 to 1, and how long the cube's
 /// sides are in the frame.

@@ -1,5 +1,5 @@
 // Chapter 6: bodies, their verbs, and what they are made of.
-#include <nutshell/body.hpp>
+#include <nutshell/joined.hpp>
 #include <nutshell/newton_scenes.hpp>
 #include "check.hpp"
 

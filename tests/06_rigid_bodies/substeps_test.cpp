@@ -1,4 +1,5 @@
 // Chapter 6: how far one step may turn a body, and the body of the pictures.
+#include <nutshell/assembly.hpp>
 #include <nutshell/lab/run.hpp>
 #include <nutshell/rigid_methods.hpp>
 #include <nutshell/top_scenes.hpp>

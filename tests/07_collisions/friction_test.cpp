@@ -1,6 +1,6 @@
 // Friction by contact impulses on bodies that are free to turn, against closed forms; the universe.
 #include <nutshell/friction_scenes.hpp>
-#include <nutshell/universe.hpp>
+#include <nutshell/universe_scene.hpp>
 #include "near.hpp"
 
 using namespace nutshell;
@@ -191,8 +191,8 @@ TEST_CASE("The printed program: first contact at step 2501, R not a number from 
 
 TEST_CASE("The universe repaired: bounces on time, comes to rest, keeps its spin") {
     const Universe scene;
-    World world = checked(scene.start());
-    Engine engine(scene.switches);
+    World world = checked(world_of(scene));
+    Engine engine(universe_switches);
     const double before = energy(world), low = scene.radius;
     double touched = 0, highest_energy = 0, highest_at_rest = 0, fastest_at_rest = 0;
     for (long i = 1; i <= 60000; ++i) {

@@ -1,7 +1,7 @@
 // What the second half's parts do alone: one contact's turn, softness, memory, grid; dominoes, cubes and the
 // universe against closed forms and finer runs.
 #include <nutshell/domino_scenes.hpp>
-#include <nutshell/universe.hpp>
+#include <nutshell/universe_scene.hpp>
 #include <set>
 #include "near.hpp"
 
@@ -205,8 +205,8 @@ TEST_CASE("The universe's bounces: each leaves with 0.9 of its speed, on time, b
     const Universe scene;
     const double g = -scene.force.y() / scene.mass;
     for (const bool by_engine : {true, false}) {
-        World world = scene.start();
-        Engine engine(scene.switches);
+        World world = world_of(scene);
+        Engine engine(universe_switches);
         Body& ball = world.bodies[0];
         double last = 0, at = scene.first_contact(), speed = scene.restitution * g * at;
         int bounces = 0;

@@ -1,6 +1,7 @@
 // The lab is tested on things whose answers are known without it.
 #include <unistd.h>
 #include <fstream>
+#include <nutshell/lab/need_chart.hpp>
 #include <nutshell/lab/output.hpp>
 #include <nutshell/lab/study.hpp>
 #include <nutshell/newton_methods.hpp>
@@ -95,6 +96,14 @@ TEST_CASE("the machine's floor is a time between a picosecond and a microsecond"
     const auto floor = lab::machine_floor();
     CHECK((floor.multiply_add > 1e-12 && floor.multiply_add < 1e-6));
     CHECK(floor.square_root > floor.multiply_add);
+}
+
+TEST_CASE("a study without planned steps is refused, and one whose runs are all wrong is not drawn") {
+    const lab::Plan none{.key = "none", .scene = "A spring.", .behind = "error against cost"};
+    CHECK_THROWS_AS(lab::measured(TestSpring{}, newton_methods, none), std::invalid_argument);
+    lab::Report report(fresh_folder(), "test");
+    lab::draw_study(report, none, {}, {}, TestSpring{}.need);
+    CHECK_FALSE(std::filesystem::exists(report.path("none.svg")));
 }
 
 TEST_CASE("bad steps and durations are refused in words") {

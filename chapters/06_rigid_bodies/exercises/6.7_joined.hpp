@@ -1,6 +1,6 @@
 // Exercise 6.7: moving bodies stuck together, where the source forgets their orbits.
 #pragma once
-#include <nutshell/body.hpp>
+#include <nutshell/joined.hpp>
 #include "exercise.hpp"
 
 namespace nutshell::exercises {

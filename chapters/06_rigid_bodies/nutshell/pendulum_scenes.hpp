@@ -2,6 +2,7 @@
 #pragma once
 #include <nutshell/body.hpp>
 #include <nutshell/elliptic.hpp>
+#include <nutshell/inertia.hpp>
 #include <nutshell/need.hpp>
 #include <nutshell/newton_scenes.hpp>
 

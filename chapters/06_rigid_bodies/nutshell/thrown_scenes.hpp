@@ -1,7 +1,7 @@
 // Chapter 6 · Thrown things: made of blocks, thrown end over end or in disorder.
 #pragma once
-#include <nutshell/body.hpp>
 #include <nutshell/free_top.hpp>
+#include <nutshell/joined.hpp>
 #include <nutshell/mesh_shapes.hpp>
 #include <nutshell/need.hpp>
 #include <nutshell/newton_scenes.hpp>

@@ -1,6 +1,6 @@
 // The source's universe, with its own camera: as printed, its own rules mended, by our engine.
 #include <nutshell/live/figure.hpp>
-#include <nutshell/universe.hpp>
+#include <nutshell/universe_scene.hpp>
 #include "../piles_drawings.hpp"
 
 namespace nutshell {
@@ -34,7 +34,7 @@ class LiveUniverse : public live::Figure {
         which_ = setting.choice;
         change(setting);
         printed_ = PrintedUniverse{};
-        world_ = scene_.start(), engine_ = Engine(scene_.switches), steps_ = 0;
+        world_ = world_of(scene_), engine_ = Engine(universe_switches), steps_ = 0;
     }
     void change(const live::Setting& setting) override {
         pace_ = setting.values.at(0);

@@ -1,6 +1,6 @@
 // Chapter 7 · Hulls out of meshes: a stone as it is cut becomes a body and its shape.
 #pragma once
-#include <nutshell/body.hpp>
+#include <nutshell/joined.hpp>
 #include <nutshell/hull.hpp>
 #include <nutshell/mesh.hpp>
 

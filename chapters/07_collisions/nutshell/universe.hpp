@@ -1,8 +1,8 @@
 // Chapter 7 · The universe: the source's own program, as printed and repaired. Its sphere, its
 // force (0, -0.01, 0), its start at (0, 2, 0) with L = (0.01, 0, 0), its floor and its step.
 #pragma once
+#include <nutshell/body.hpp>
 #include <nutshell/many_turns.hpp>
-#include <nutshell/rest_scenes.hpp>
 
 namespace nutshell {
 
@@ -17,18 +17,12 @@ struct Universe {
     Vector3 spin{0.01, 0, 0};     // L [kg m^2/s]
     double restitution = 0.9;
     double dt = 0.008;  // [s]
-    Switches switches = {1};
 
-    World start() const {
-        World world;
-        world.walls = {Plane{}};
-        world.gravity = force / mass;
-        world.surface = {restitution, 0};
+    Body ball() const {
         Body ball;
         ball.mass = mass, ball.inertia = Vector3::Constant(mass);  // the source's I
         ball.position = place, ball.angular_momentum = spin;
-        world.add(ball, Sphere{radius});
-        return world;
+        return ball;
     }
     /// When the ball first touches the floor, and when it has bounced for the last time [s].
     double first_contact() const {

@@ -168,8 +168,12 @@ struct Study {
 
 /// Measures what a scene's need costs with each method, and error against cost.
 /// @param methods  a tuple of methods, or a list of entries
+/// @throws std::invalid_argument if no steps are planned
 template <class Scene, class Methods>
 Study measured(const Scene& scene, const Methods& methods, const Plan& plan) {
+    require(
+        !plan.steps.empty(),
+        "the study " + plan.key + ": its plan needs `steps`, how many each run makes (such as 10, 20, 40)");
     const auto& list = entries<Scene>(methods);
     return {least_of_each(scene, list, plan.fewest, plan.most), work_precision(scene, list, plan.steps)};
 }
