@@ -207,7 +207,7 @@ TEST_CASE("The thrust measured at the joints is one that statics allows, and the
     }
 }
 
-TEST_CASE("An arch slides apart below statics' friction, and stands above it; without a keystone it falls") {
+TEST_CASE("An arch slides apart below statics' friction, and stands above it, and falls without a keystone") {
     Arch arch;
     arch.thickness = 0.3 * arch.radius, arch.switches.sub_steps = 16;
     const double least = least_friction(arch);

@@ -287,7 +287,7 @@ TEST_CASE("Contacts of convex pieces lie on both, each with a name of its own, t
     CHECK(lost * 200 < kept);  // one in two hundred: where an edge just meets a corner
 }
 
-TEST_CASE("A sphere touches a hull where projections on its faces end; a plane, at its corners") {
+TEST_CASE("A sphere touches a hull where projections on its faces end, and a plane at its corners") {
     Chance chance(44);
     int outside_ones = 0;
     for (int i = 0; i < 1000; ++i) {
