@@ -23,5 +23,7 @@ int main(int argc, char** argv) {
         nutshell::universe(report);
         nutshell::rest_diagrams(report);
         nutshell::rest_pictures(report);
+        // 07b_arch: a side road, convex pieces
+        nutshell::arch(report);
     });
 }

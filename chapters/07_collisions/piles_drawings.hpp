@@ -42,6 +42,17 @@ inline void add_body(pic::Drawing& drawing, const World& world, std::size_t i, p
         drawing.add(pic::Box{
             .pose = pose, .half_extents = box->half, .colour = colour, .marked = marked});
     }
+    if (const auto* hull = std::get_if<Hull>(&world.shapes[i])) {
+        pic::Mesh shown{.points = hull->form->corners, .colour = colour};
+        shown.pose.linear() = rotation_matrix(body.orientation);
+        shown.pose.translation() = body.position;
+        for (const auto& face : hull->form->faces)
+            for (std::size_t k = 2; k < face.size(); ++k)
+                shown.triangles.push_back({static_cast<int>(face[0]),
+                                           static_cast<int>(face[k - 1]),
+                                           static_cast<int>(face[k])});
+        drawing.add(shown);
+    }
 }
 
 /// The colour of layer number i of n: steps from blue to gold, told apart in grey too.

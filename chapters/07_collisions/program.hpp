@@ -1,5 +1,6 @@
 // The parts of chapter 7's program: each runs a scene, prints what it found, and writes its data,
-// charts and pictures. The first half is the page 07_collisions, the second 07a_piles.
+// charts and pictures. The first half is the page 07_collisions, the second 07a_piles,
+// a side road 07b_arch.
 #pragma once
 #include <nutshell/lab/output.hpp>
 
@@ -26,5 +27,8 @@ void dominoes(lab::Report& report);
 void universe(lab::Report& report);
 void rest_diagrams(lab::Report& report);
 void rest_pictures(lab::Report& report);
+
+// 07b_arch: a side road, convex pieces
+void arch(lab::Report& report);
 
 }  // namespace nutshell

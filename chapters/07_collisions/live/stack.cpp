@@ -1,7 +1,6 @@
 // A stack of boxes, with every switch of the engine in the reader's hand. Press on a box and let
 // go: a ball flies there along the line of sight.
-#include <nutshell/live/figure.hpp>
-#include "../piles_drawings.hpp"
+#include "../throwing.hpp"
 
 namespace nutshell {
 
@@ -45,7 +44,7 @@ class LiveStack : public live::Figure {
         require(scene.boxes >= 1 && scene.boxes <= 100, "the stack takes 1 to 100 boxes");
         world_ = scene.start(), boxes_ = scene.boxes;
         engine_ = Engine(switches_of(setting.choice));
-        steps_ = 0, held_ = false;
+        steps_ = 0, throw_ = {};
     }
     void change(const live::Setting& setting) override {
         if (std::lround(setting.values.at(0)) != boxes_) return begin(setting);
@@ -60,27 +59,10 @@ class LiveStack : public live::Figure {
         return time() > 60 ? "A minute is over: begin again." : std::string();
     }
 
-    /// Where the pointer's line meets the nearest box, if it does.
-    bool grab(const live::Ray& ray) override {
-        const std::optional<Vector3> at = aimed_at(ray);
-        held_ = at.has_value();
-        if (held_) aim_ = *at, eye_ = ray.eye;
-        return held_;
-    }
-    void drag(const live::Ray& ray) override {
-        if (const std::optional<Vector3> at = aimed_at(ray)) aim_ = *at, eye_ = ray.eye;
-    }
+    bool grab(const live::Ray& ray) override { return throw_.grab(world_, ray); }
+    void drag(const live::Ray& ray) override { throw_.drag(world_, ray); }
     void release() override {
-        if (!held_) return;
-        held_ = false;
-        const Vector3 way = (aim_ - eye_).normalized();
-        const Vector3 from = aim_ - std::min(6.0, (aim_ - eye_).norm()) * way;
-        Body ball = solid_ball(2, 0.3, {from.x(), std::max(0.31, from.y()), from.z()});
-        ball.momentum = ball.mass * speed_ * way;
-        if (static_cast<int>(world_.bodies.size()) < boxes_ + 12)
-            world_.add(ball, Sphere{0.3});
-        else
-            world_.bodies.back() = ball;
+        throw_.release(world_, static_cast<std::size_t>(boxes_), 2, 0.3, speed_);
     }
 
     pic::Drawing drawing(double) const override {
@@ -91,11 +73,7 @@ class LiveStack : public live::Figure {
         for (std::size_t i = 0; i < world_.bodies.size(); ++i)
             add_body(drawing, world_, i,
                      i < boxes ? layer_colour(i, boxes) : pic::palette::explicit_euler);
-        if (held_)
-            drawing.add(pic::Ball{.centre = aim_,
-                                  .radius = 0.3,
-                                  .colour = pic::palette::explicit_euler,
-                                  .look = pic::Look::ghost});
+        throw_.show(drawing, 0.3);
         return drawing;
     }
     pic::Size size() const override { return {480, 600}; }
@@ -137,26 +115,12 @@ class LiveStack : public live::Figure {
                 return {};
         }
     }
-    /// The nearest point of any body's surrounding sphere on the line.
-    std::optional<Vector3> aimed_at(const live::Ray& ray) const {
-        std::optional<Vector3> nearest;
-        double way = immovable;
-        for (const Body& body : world_.bodies) {
-            const Vector3 to = body.position - ray.eye;
-            const double along = to.dot(ray.direction);
-            const double across = (to - along * ray.direction).norm();
-            if (along > 0 && across < 0.6 && along < way)
-                way = along, nearest = ray.eye + along * ray.direction;
-        }
-        return nearest;
-    }
     World world_;
     Engine engine_;
     int boxes_ = 10;
     long steps_ = 0;
     double speed_ = 15;
-    bool held_ = false;
-    Vector3 aim_ = Vector3::Zero(), eye_ = Vector3::Zero();
+    Throw throw_;
 };
 
 const live::Entry entry{"stack", [] { return std::unique_ptr<live::Figure>(new LiveStack); }};

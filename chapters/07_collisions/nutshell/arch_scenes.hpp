@@ -12,7 +12,7 @@ struct Arch {
     int stones = 11;
     double radius = 2;       // of the middle of the ring [m]
     double thickness = 0.4;  // [m]
-    double depth = 0.8;      // along z [m]
+    double depth = 0.5;      // along z [m]
     double density = 2400;   // [kg/m^3]
     double friction = 0.7;   // stone on stone
     double duration = 10;    // [s]
