@@ -42,7 +42,7 @@ function Page.place(page)
     if not digits then return end
     page.chapter = tonumber(digits)
     page.side = letter ~= "" and letter:upper() or nil
-    page.half = page.side and page.chapter >= 6                -- 06a, 07a go on where 06, 07 end: no way round
+    page.half = page.side == "A" and page.chapter >= 6         -- 06a, 07a go on where 06, 07 end: no way round
     page.number = page.chapter .. (page.side or "")
     page.results = page.name
     for name in os.getenv("BOOK_LIST"):gmatch("%S+") do

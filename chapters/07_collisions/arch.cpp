@@ -206,6 +206,35 @@ void pictures_of(lab::Report& report, const std::string& file, double time) {
     });
 }
 
+/// One that is too thin, while it falls.
+void falling(lab::Report& report) {
+    Arch arch;
+    arch.thickness = 0.1 * arch.radius, arch.switches.sub_steps = 16;
+    const pic::Note note{report.command(),
+                         "an arch of eleven stones that is too thin",
+                         "our engine, 16 sub-steps",
+                         "1/60 s",
+                         {{"thickness / radius", 0.1, ""}}};
+    pic::save(report.path("arch_falls.png"), note, [&]() -> pic::Sheet {
+        pic::Sheet sheet;
+        sheet.columns = 3;
+        World world = arch.start();
+        Engine engine(arch.switches);
+        long steps = 0;
+        for (const double at : {0.2, 0.6, 0.75, 0.85, 0.95, 1.15}) {
+            for (; steps < std::lround(at / dt); ++steps) engine.step(world, dt);
+            pic::Drawing drawing;
+            add_arch(drawing, arch, world, world.bodies.size());
+            const auto joints = passed_on(arch, world, engine, dt / arch.switches.sub_steps);
+            add_hinges(drawing, arch, world, joints);
+            drawing.title(lab::rounded(at) + " s");
+            const pic::Size size{480, 270};
+            sheet.shots.push_back({drawing, arch_camera(arch, size), size});
+        }
+        return sheet;
+    });
+}
+
 }  // namespace
 
 void arch(lab::Report& report) {
@@ -216,6 +245,7 @@ void arch(lab::Report& report) {
     half_arch(report);
     pictures_of(report, "arch_question", 0);
     pictures_of(report, "arch_answer", 0.65);
+    falling(report);
 }
 
 }  // namespace nutshell

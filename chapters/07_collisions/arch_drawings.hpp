@@ -37,6 +37,24 @@ inline void add_thrust(pic::Drawing& drawing, const Arch& arch,
     finish();
 }
 
+/// A dot at each joint that has opened by more than two degrees: the hinge, where it still presses.
+inline void add_hinges(pic::Drawing& drawing, const Arch& arch, const World& world,
+                       const std::vector<Passed>& joints) {
+    const Body floor;
+    const World start = arch.start();
+    const auto turned = [&](std::size_t i) {
+        return world.bodies[i].orientation * inverse(start.bodies[i].orientation);
+    };
+    for (std::size_t k = 0; k < joints.size(); ++k) {
+        const Quaternion left = k > 0 ? turned(k - 1) : floor.orientation,
+                         right = k < world.bodies.size() ? turned(k) : floor.orientation;
+        if (joints[k].force.norm() > 0 && angle_between(left, right) > 2 * pi / 180)
+            drawing.add(pic::Ball{.centre = {joints[k].at.x(), joints[k].at.y(), arch.depth / 2},
+                                  .radius = 0.06,
+                                  .colour = pic::palette::force});
+    }
+}
+
 /// From the front, the whole arch and a little beside it.
 inline pic::Camera arch_camera(const Arch& arch, pic::Size size) {
     pic::Drawing room;
