@@ -6,17 +6,17 @@
 
 namespace nutshell {
 
-/// The stones, light and dark in turn, and what else is in the world in another colour.
+/// The stones in two greys in turn, and what else is in the world in a colour.
 inline void add_arch(pic::Drawing& drawing, const Arch& arch, const World& world,
                      std::size_t stones) {
     drawing.stage({{0, arch.radius / 2, 0}, 1.6 * arch.radius});
     drawing.ground({.height = 0, .spacing = 1});
-    const pic::Colour dark = pic::mix(pic::palette::gold, pic::palette::ink, 0.35f);
+    const pic::Colour other = pic::mix(pic::palette::steel, pic::palette::paper, 0.45f);
     for (std::size_t i = 0; i < world.bodies.size(); ++i)
         add_body(drawing, world, i,
                  i >= stones  ? pic::palette::explicit_euler
-                 : i % 2 == 0 ? pic::palette::gold
-                              : dark);
+                 : i % 2 == 0 ? pic::palette::steel
+                              : other);
 }
 
 /// The line of thrust: through the points of the joints at which an engine's contacts press, on the
