@@ -80,7 +80,7 @@ void thicknesses(lab::Report& report) {
         "Half a circle of equal stones; 10 s, steps of 1/60 s. Below its line an arch falls.";
     chart.x = {"stones"};
     chart.y = {"least thickness, of the middle radius"};
-    chart.levels_y = {{0.1075, "1907"}};
+    chart.levels_y = {{0.1075, "Milankovitch, 1907"}};
     chart.series = {four, sixteen, statics};
     chart::write_svg(chart, report.path("arch_stones.svg"));
 }
