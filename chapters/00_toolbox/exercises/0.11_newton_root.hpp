@@ -24,6 +24,13 @@ struct NewtonRoot {
             const double root = answer(f, df, x, turns);
             paper.output("the place after the turns", root, x);
         }
+        // begins so near that the function is less than a millionth
+        const auto f = [](double at) { return at * at * at - 2 * at - 5; };
+        const auto df = [](double at) { return 3 * at * at - 2; };
+        const double close = 2.0945515;
+        paper.input("f", "x^3 - c x - 5", "c", 2.0, "x", close, "turns", 1);
+        const double way = answer(f, df, close, 1) - close;
+        paper.output("how far it comes in one turn", way, 1e-5);
     }
 
 #ifndef NUTSHELL_SHEET
@@ -88,6 +95,12 @@ struct NewtonRoot {
                   "are.",
                   [](const auto& f, const auto& df, double x, int turns) -> double {
                       for (int i = 0; i < turns; ++i) x = -f(x) / df(x);
+                      return x;
+                  }},
+                 {"it stops early", "classic: good enough", "Precise machines are built askew.",
+                  "You leave the loop where f is small. The caller says how many turns.",
+                  [](const auto& f, const auto& df, double x, int turns) -> double {
+                      for (int i = 0; i < turns && std::abs(f(x)) > 1e-6; ++i) x -= f(x) / df(x);
                       return x;
                   }}},
             .alternatives = {{"counting down",

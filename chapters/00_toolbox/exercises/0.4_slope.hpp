@@ -80,6 +80,11 @@ struct Slope {
                   "You add the two values. The slope is about their difference.",
                   [](const auto& f, double x, double h) -> double {
                       return (f(x + h) + f(x - h)) / (2 * h);
+                  }},
+                 {"to one side, but over both steps", "classic", "Every slope is half as steep.",
+                  "You look to one side only and divide by 2 h. The second place is x - h.",
+                  [](const auto& f, double x, double h) -> double {
+                      return (f(x + h) - f(x)) / (2 * h);
                   }}},
             .alternatives = {{"the mean of two slopes",
                               [](const auto& f, double x, double h) -> double {

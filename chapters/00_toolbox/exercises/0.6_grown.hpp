@@ -85,6 +85,12 @@ struct Grown {
                   "You multiply by t outside. The exponent is rate times t.",
                   [](double y, double rate, double t) -> double {
                       return y * std::exp(rate) * t;
+                  }},
+                 {"y in the exponent", "classic", "Twice as much fades more than twice as fast.",
+                  "y stands in the exponent. What is there is y times the exponential of rate "
+                  "times t.",
+                  [](double y, double rate, double t) -> double {
+                      return std::exp(y * rate * t);
                   }}},
             .alternatives = {{"a power of e",
                               [](double y, double rate, double t) -> double {

@@ -71,6 +71,12 @@ struct Turned {
                   "turn alone.",
                   [](Complex z, double angle) -> Complex {
                       return std::polar(std::abs(z), 2 * std::arg(z) + angle);
+                  }},
+                 {"each part for itself", "classic", "The wheel is squeezed flat.",
+                  "You stretch each part for itself. A turn mixes them: x takes from y, and y "
+                  "from x.",
+                  [](Complex z, double angle) -> Complex {
+                      return {z.real() * std::cos(angle), z.imag() * std::sin(angle)};
                   }}},
             .alternatives = {{"polar",
                               [](Complex z, double angle) -> Complex {

@@ -92,6 +92,13 @@ struct Spiralled {
                   [](Complex z, Complex lambda, double t) -> Complex {
                       return z * std::exp(lambda.real() * t) *
                              std::polar(1.0, std::arg(lambda) * t);
+                  }},
+                 {"real and imaginary part exchanged", "classic", "What should swing explodes.",
+                  "You grow by the imaginary part and turn by the real one. The real part is the "
+                  "growth, the "
+                  "imaginary part the turn.",
+                  [](Complex z, Complex lambda, double t) -> Complex {
+                      return z * std::exp(lambda.imag() * t) * std::polar(1.0, lambda.real() * t);
                   }}},
             .alternatives = {{"the complex exponential",
                               [](Complex z, Complex lambda, double t) -> Complex {

@@ -164,6 +164,17 @@ struct ExponentialKick {
                       state.position += state.velocity * dt * phi_1(-x) + a * dt * dt * phi_2(-x);
                       state.velocity = state.velocity * std::exp(-x) + a * dt * phi_1(-x);
                       return state;
+                  }},
+                 {"phi of what grows", "classic: the sign, once of three times",
+                  "Things that brake roll too far.",
+                  "phi_1 and phi_2 are of -x too, as the exponential is: all three belong to a "
+                  "decay.",
+                  [](auto state, const auto& forces, double t, double dt) {
+                      const double x = forces.drag * dt / state.mass;
+                      const Vector3 a = force_at_rest(state, forces, t) / state.mass;
+                      state.position += state.velocity * dt * phi_1(x) + a * dt * dt * phi_2(x);
+                      state.velocity = state.velocity * std::exp(-x) + a * dt * phi_1(x);
+                      return state;
                   }}},
             .alternatives = {{"through the terminal velocity",
                               [](auto state, const auto& forces, double t, double dt) {

@@ -152,6 +152,30 @@ struct AtRestLength {
                       return {moved, at_rest_length(moved, b, rest_length, inverse_mass_a,
                                                     inverse_mass_b)
                                          .b};
+                  }},
+                 {"shares that do not add up to one", "classic: not divided by the sum",
+                  "Light cloth explodes, heavy cloth stretches.",
+                  "Each end goes its inverse mass times the way. Divide by the sum of both "
+                  "inverse masses.",
+                  [](const Vector3& a, const Vector3& b, double rest_length,
+                     double inverse_mass_a, double inverse_mass_b) -> Ends {
+                      const Vector3 way = b - a;
+                      if (way.norm() == 0) return {a, b};
+                      const Vector3 all = (1 - rest_length / way.norm()) * way;
+                      return {a + inverse_mass_a * all, b - inverse_mass_b * all};
+                  }},
+                 {"a direction that is not of length one", "classic",
+                  "Long springs shoot past their length.",
+                  "You multiply what is too much by the whole way between the ends. Its "
+                  "direction is the way "
+                  "over its length.",
+                  [](const Vector3& a, const Vector3& b, double rest_length,
+                     double inverse_mass_a, double inverse_mass_b) -> Ends {
+                      const Vector3 way = b - a;
+                      const double both = inverse_mass_a + inverse_mass_b;
+                      if (way.norm() == 0 || both == 0) return {a, b};
+                      const Vector3 all = (way.norm() - rest_length) / both * way;
+                      return {a + inverse_mass_a * all, b - inverse_mass_b * all};
                   }}},
             .alternatives = {{"by the centre of mass",
                               [](const Vector3& a, const Vector3& b, double rest_length,

@@ -18,6 +18,8 @@ struct Exponential {
             paper.input("a", a);
             const Quaternion q = answer(a);
             paper.output("the 4-vector", q, 1.0);
+            // where the length of a vanishes in a double, no turn at all is as good
+            if (a.norm() == 0 && a != Vector3::Zero()) continue;
             // its vector part alone, to its own last digits, for q and -q alike
             const Vector3 u = q.w() < 0 ? Vector3(-q.vec()) : Vector3(q.vec());
             const bool large_or_none = a.norm() > 1 || a == Vector3::Zero();

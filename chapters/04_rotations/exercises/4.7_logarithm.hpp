@@ -20,6 +20,15 @@ struct Logarithm {
                 const double shorter = std::remainder(angle, 2 * pi);
                 paper.output("the rotation vector [rad]", a, Vector3(shorter * axis));
             }
+        for (const double length : {2.5, 0.2})  // its length does not matter
+            for (const double angle : {0.7, 5.1}) {
+                const Quaternion q(
+                    four_vector(std::sin(angle / 2) * n, std::cos(angle / 2)).coeffs() * length);
+                paper.input("q", q);
+                const Vector3 a = answer(q);
+                paper.output("the rotation vector [rad]", a,
+                             Vector3(std::remainder(angle, 2 * pi) * n));
+            }
         paper.input("q", four_vector({0, 0, 0}, 1));
         const Vector3 none = answer(four_vector({0, 0, 0}, 1));
         paper.output("the rotation vector [rad]", none, 1.0);
@@ -121,14 +130,26 @@ struct Logarithm {
                       const double s = std::sqrt(1 - q.w() * q.w());
                       if (s < 1e-8) return Vector3::Zero();
                       return 2 * std::acos(q.w()) / s * q.vec();
+                  }},
+                 {"the arc sine", "classic: right for a length of one only",
+                  "Poses that have lost a little of their length turn too far.",
+                  "The arc sine takes the length of the vector part for a sine, which it is only "
+                  "if q is of "
+                  "length one. atan2 needs the ratio alone.",
+                  [](const Quaternion& q) -> Vector3 {
+                      const Vector3 u = (q.w() < 0 ? -1 : 1) * q.vec();
+                      const double l = u.norm();
+                      if (l == 0) return Vector3::Zero();
+                      return 2 * std::asin(std::min(1.0, l)) / l * u;
                   }}},
             .alternatives = {{"the arc sine, and two cases",
                               [](const Quaternion& q) -> Vector3 {
-                                  const double sign = q.w() < 0 ? -1 : 1, length = q.vec().norm();
-                                  if (length < 1e-7) return 2 * sign * q.vec();
+                                  const Quaternion p = q.normalized();
+                                  const double sign = p.w() < 0 ? -1 : 1, length = p.vec().norm();
+                                  if (length < 1e-7) return 2 * sign * p.vec();
                                   const double angle = length < 0.7 ? 2 * std::asin(length)
-                                                                    : 2 * std::acos(sign * q.w());
-                                  return sign * q.vec() * (angle / length);
+                                                                    : 2 * std::acos(sign * p.w());
+                                  return sign * p.vec() * (angle / length);
                               }},
                              {"Eigen's",
                               [](const Quaternion& q) -> Vector3 {

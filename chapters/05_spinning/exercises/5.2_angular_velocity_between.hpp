@@ -98,6 +98,14 @@ struct AngularVelocityBetween {
                       return 2 * product(Quaternion((to.coeffs() - from.coeffs()) / dt),
                                          inverse(from))
                                      .vec();
+                  }},
+                 {"the difference of the vector parts", "classic",
+                  "Spins about a tilted axis are wrong.",
+                  "You subtract the first three of the four numbers. The turn from one pose to "
+                  "the next is a "
+                  "product, to times the inverse of from; take its rotation vector.",
+                  [](const Quaternion& from, const Quaternion& to, double dt) -> Vector3 {
+                      return 2 * (to.vec() - from.vec()) / dt;
                   }}},
             .alternatives = {{"by Eigen's angle and axis",
                               [](const Quaternion& from, const Quaternion& to, double dt)

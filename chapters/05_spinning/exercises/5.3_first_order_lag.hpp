@@ -56,7 +56,12 @@ struct FirstOrderLag {
                   }},
                  {"twice the arc tangent of the whole", "classic", "The lag comes out negative.",
                   "The 4-vector holds half of the angle: the arc tangent is that of theta/2.",
-                  [](double theta) -> double { return theta - 2 * std::atan(theta); }}},
+                  [](double theta) -> double { return theta - 2 * std::atan(theta); }},
+                 {"the tangent for its inverse", "classic",
+                  "The prediction says that the wheel is early.",
+                  "You take the tangent. The angle whose tangent is theta/2 is its inverse, the "
+                  "arc tangent.",
+                  [](double theta) -> double { return theta - 2 * std::tan(theta / 2); }}},
             .alternatives = {{"by both legs",
                               [](double theta) -> double {
                                   return theta - 2 * std::atan2(theta, 2.0);

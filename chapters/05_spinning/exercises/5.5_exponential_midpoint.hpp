@@ -91,6 +91,15 @@ struct ExponentialMidpoint {
                   [](const Quaternion& q, const auto& spin, double t, double dt) -> Quaternion {
                       const Quaternion m = exponential_map(q, spin, t, dt / 2);
                       return product(exponential(spin(m, t + dt / 2) * (dt / 2)), q);
+                  }},
+                 {"two halves with two angular velocities", "classic",
+                  "It is of first order only.",
+                  "You turn the pose of the middle on by half a step, so the first half was "
+                  "turned with the "
+                  "start's angular velocity. The middle's turns the start's pose by all of dt.",
+                  [](const Quaternion& q, const auto& spin, double t, double dt) -> Quaternion {
+                      const Quaternion middle = exp_of(spin(q, t) * (dt / 2)) * q;
+                      return exp_of(spin(middle, t + dt / 2) * (dt / 2)) * middle;
                   }}},
             .alternatives =
                 {{"in one breath",

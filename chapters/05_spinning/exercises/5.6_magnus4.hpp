@@ -128,6 +128,21 @@ struct Magnus4 {
                                     s = spin(q, t + dt * (0.5 + r / 12));
                       return product(
                           exponential(dt / 2 * (f + s) + r / 12 * dt * dt * s.cross(f)), q);
+                  }},
+                 {"looks round the start", "classic", "It is of first order only.",
+                  "Your two looks lie round t, the start of the step. They belong round its "
+                  "middle, t + dt/2.",
+                  [](const Quaternion& q, const auto& spin, double t, double dt) -> Quaternion {
+                      return with(q, spin, t - dt / 2, dt, std::sqrt(3.0) / 6,
+                                  std::sqrt(3.0) / 12);
+                  }},
+                 {"looks as far apart at every step", "classic: a dt forgotten",
+                  "Small steps help nothing.",
+                  "Your two looks are sqrt(3)/6 seconds from the middle, outside of a small "
+                  "step. It is that "
+                  "part of dt.",
+                  [](const Quaternion& q, const auto& spin, double t, double dt) -> Quaternion {
+                      return with(q, spin, t, dt, std::sqrt(3.0) / 6 / dt, std::sqrt(3.0) / 12);
                   }}},
             .alternatives = {{"minus the first crossed with the second",
                               [](const Quaternion& q, const auto& spin, double t,

@@ -81,6 +81,21 @@ struct SplitRotation {
                       Vector3 M = in_body_axes(q, L);
                       for (const int i : {0, 1, 2, 0, 1})
                           turn(i, inertia, q, M, i == 2 ? dt : dt / 2);
+                  }},
+                 {"the way back is missing", "classic: half of the five",
+                  "Everything turns half about x and y.",
+                  "Half about x, half about y, the whole about z: the way back is missing, y and "
+                  "then x.",
+                  [](V inertia, Quaternion& q, V L, double dt) {
+                      Vector3 M = in_body_axes(q, L);
+                      for (int i = 0; i < 3; ++i) turn(i, inertia, q, M, i < 2 ? dt / 2 : dt);
+                  }},
+                 {"four turns of five", "classic", "Spins about x are half as fast.",
+                  "The last half turn about x is missing: what came first comes last.",
+                  [](V inertia, Quaternion& q, V L, double dt) {
+                      Vector3 M = in_body_axes(q, L);
+                      for (const int i : {0, 1, 2, 1})
+                          turn(i, inertia, q, M, i < 2 ? dt / 2 : dt);
                   }}},
             .alternatives = {{"a loop over five axes, turns by the exponential",
                               [](V inertia, Quaternion& q, V L, double dt) {

@@ -94,6 +94,23 @@ struct SteadyPrecession {
                       const auto [slow, fast] =
                           roots(top.across, L3, top.weight, std::cos(angle));
                       return {slow / 2, fast};
+                  }},
+                 {"the cosine forgotten below the line", "classic",
+                  "Tops that lean go round too slowly.",
+                  "Both are divided by twice I1 times the cosine of the angle; your divisor has "
+                  "no cosine.",
+                  [](T top, double L3, double angle) -> Rates {
+                      const double c = std::cos(angle);
+                      const auto [slow, fast] = roots(top.across, L3, top.weight, c);
+                      return {slow * c, fast * c};
+                  }},
+                 {"the root not taken", "classic", "A top goes round backwards.",
+                  "You add and subtract what stands under the root. Take std::sqrt of it first.",
+                  [](T top, double L3, double angle) -> Rates {
+                      const double c = std::cos(angle),
+                                   root = L3 * L3 - 4 * top.across * top.weight * c;
+                      return {(L3 - root) / (2 * top.across * c),
+                              (L3 + root) / (2 * top.across * c)};
                   }}},
             .alternatives = {{"the school formula, and Vieta",
                               [](T top, double L3, double angle) -> Rates {

@@ -118,6 +118,16 @@ struct RateInBody {
                       });
                       rate.head<4>() *= 2;
                       return rate;
+                  }},
+                 {"the rates in another order", "classic", "Pose and spin change places.",
+                  "Both rates are right, but the 4-vector's comes first, as in y.",
+                  [](F y, V J, V torque) -> FlatPinned {
+                      const FlatPinned rate = with(y, J, [&](Q q, V M, V w) -> Vector3 {
+                          return M.cross(w) + q.conjugate() * torque;
+                      });
+                      FlatPinned other;
+                      other << rate.tail<3>(), rate.head<4>();
+                      return other;
                   }}},
             .alternatives = {{"number by number",
                               [](F y, V J, V torque) -> FlatPinned {

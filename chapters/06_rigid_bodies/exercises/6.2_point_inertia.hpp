@@ -92,6 +92,13 @@ struct PointInertia {
                   "for the lever, once for the speed.",
                   [](double mass, const Vector3& r) -> Matrix3 {
                       return right(mass, r) / r.norm();
+                  }},
+                 {"the mass in the first term only", "classic: a bracket",
+                  "Heavy dumbbells wobble.",
+                  "The mass multiplies the first term only. It belongs before both: a bracket is "
+                  "missing.",
+                  [](double mass, const Vector3& r) -> Matrix3 {
+                      return mass * r.dot(r) * Matrix3::Identity() - r * r.transpose();
                   }}},
             .alternatives = {{"entry by entry",
                               [](double mass, const Vector3& r) -> Matrix3 {

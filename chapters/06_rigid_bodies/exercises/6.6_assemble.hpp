@@ -189,6 +189,57 @@ struct Assemble {
                       return with(parts, centre, [&](const Part& part) -> Matrix3 {
                           return turned(part) + moved(part.body.mass, place_of(part) - centre);
                       });
+                  }},
+                 {"the place turned too", "classic: the bracket",
+                  "A hammer's head flies beside its handle.",
+                  "You turn the part's place with the part. The place is given in the axes of "
+                  "the whole "
+                  "already: only the body's own centre is turned.",
+                  [](std::span<const Part> parts) -> MassProperties {
+                      const auto at = [](const Part& part) -> Vector3 {
+                          return part.rotation * (part.body.centre + part.place);
+                      };
+                      Vector3 sum = Vector3::Zero();
+                      double mass = 0;
+                      for (const Part& part : parts)
+                          sum += part.body.mass * at(part), mass += part.body.mass;
+                      const Vector3 centre = sum / mass;
+                      return with(parts, centre, [&](const Part& part) -> Matrix3 {
+                          return turned(part) + moved(part.body.mass, at(part) - centre);
+                      });
+                  }},
+                 {"the centre so far", "classic: one loop for two",
+                  "It matters in which order it is built.",
+                  "You measure each part from the centre of those added so far. The common "
+                  "centre is known "
+                  "after the first loop only: make a second one.",
+                  [](std::span<const Part> parts) -> MassProperties {
+                      std::size_t k = 0;
+                      return with(parts, mean(parts), [&](const Part& part) -> Matrix3 {
+                          return turned(part) +
+                                 moved(part.body.mass, place_of(part) - mean(parts.first(++k)));
+                      });
+                  }},
+                 {"the first part skipped", "classic: from 1", "A dumbbell has one ball.",
+                  "Your loop begins with the second part: in C++ the first one has index 0.",
+                  [](std::span<const Part> parts) -> MassProperties {
+                      const std::span<const Part> rest = parts.subspan(1);
+                      const Vector3 centre = mean(rest);
+                      return with(rest, centre, [&](const Part& part) -> Matrix3 {
+                          return turned(part) + moved(part.body.mass, place_of(part) - centre);
+                      });
+                  }},
+                 {"the whole mass moved with each part", "classic",
+                  "Everything is too hard to turn.",
+                  "Moving a part's inertia takes the mass of that part; you take that of the "
+                  "whole.",
+                  [](std::span<const Part> parts) -> MassProperties {
+                      double mass = 0;
+                      for (const Part& part : parts) mass += part.body.mass;
+                      const Vector3 centre = mean(parts);
+                      return with(parts, centre, [&](const Part& part) -> Matrix3 {
+                          return turned(part) + moved(mass, place_of(part) - centre);
+                      });
                   }}},
             .alternatives = {{"about the origin, then moved to the centre",
                               [](std::span<const Part> parts) -> MassProperties {

@@ -58,7 +58,12 @@ struct GyroscopicTerm {
                   [](V J, V M) -> Vector3 {
                       const Vector3 w = J.cwiseProduct(M);
                       return w.cross(J.cwiseProduct(w));
-                  }}},
+                  }},
+                 {"J for omega", "classic: a factor forgotten",
+                  "The tumbling does not care how fast it spins.",
+                  "You cross M with J itself. omega is J times M, component by component: "
+                  "J.cwiseProduct(M).",
+                  [](V J, V M) -> Vector3 { return M.cross(J); }}},
             .alternatives = {{"Euler's three equations",
                               [](V J, V M) -> Vector3 {
                                   return {(J[2] - J[1]) * M[1] * M[2],

@@ -100,6 +100,18 @@ struct TakeOver {
                       c.normal_impulse = old.normal_impulse;
                       const Vector3 f = old.friction;
                       c.friction = sign * (f + c.normal.dot(f) * c.normal);
+                  }},
+                 {"stretched to its old length", "classic",
+                  "Rolling balls gain a little in every step.",
+                  "The friction has the right direction, but you stretch it to its old length. "
+                  "What was along "
+                  "the new normal is lost: do not give it back.",
+                  [](PressedContact& c, const PressedContact& old) -> void {
+                      const double sign = old.a == c.a ? 1 : -1;
+                      c.normal_impulse = old.normal_impulse;
+                      const Vector3 f = old.friction - c.normal.dot(old.friction) * c.normal;
+                      c.friction =
+                          f.norm() > 0 ? Vector3(sign * old.friction.norm() / f.norm() * f) : f;
                   }}},
             .alternatives = {{"by a cross product twice",
                               [](PressedContact& c, const PressedContact& old) -> void {

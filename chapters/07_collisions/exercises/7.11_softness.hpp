@@ -82,6 +82,23 @@ struct SoftContact {
                       const double omega = 2 * pi * frequency, c = 2 * damping + h * omega,
                                    k = h * omega * c;
                       return {omega / c, 1 / (1 + k), k / (1 + k)};
+                  }},
+                 {"k in seconds", "classic: an omega forgotten",
+                  "Stacks are soft on fast machines.",
+                  "k is a number without unit, h omega times c. Your h c is a time.",
+                  [](double frequency, double damping, double h) -> Softness {
+                      const double omega = 2 * pi * frequency, c = 2 * damping + h * omega,
+                                   k = h * c;
+                      return {omega / c, k / (1 + k), 1 / (1 + k)};
+                  }},
+                 {"the step forgotten in the rate", "classic: omega/(2 zeta)",
+                  "Deep contacts shoot out.",
+                  "Mass and fade are right. The rate is omega/c too, with h omega beside the "
+                  "damping.",
+                  [](double frequency, double damping, double h) -> Softness {
+                      const double omega = 2 * pi * frequency, c = 2 * damping + h * omega,
+                                   k = h * omega * c;
+                      return {omega / (2 * damping), k / (1 + k), 1 / (1 + k)};
                   }}},
             .alternatives =
                 {{"with spring and damper of a unit mass",

@@ -43,6 +43,7 @@ struct VisitPairs {
         std::vector<double> counts;
         for (Eigen::Index i = 0; i < n; ++i)
             for (Eigen::Index j = 0; j <= i; ++j) counts.push_back(visits(i, j));
+        paper.output("how many visits there are", visits.sum(), 1.0);
         paper.output("how often each pair was visited", counts, 1.0);
     }
 
@@ -123,6 +124,52 @@ struct VisitPairs {
                           grid.with_row(i, 0, x - 1, x + 1, y, z + 1, visit);
                           for (int dz = -1; dz <= 1; ++dz)
                               grid.with_row(i, 0, x - 1, x + 1, y + 1, z + dz, visit);
+                      });
+                  }},
+                 {"above, one row is missing", "classic: dz from 0",
+                  "Balls pass through each other along one edge.",
+                  "In the layer above all three rows count, dz from -1 to 1: one is missing.",
+                  [](const Grid& grid, const auto& visit) -> void {
+                      for_each_item(grid, [&](int i, int x, int y, int z) {
+                          grid.with_row(i, i + 1, x, x + 1, y, z, visit);
+                          grid.with_row(i, 0, x - 1, x + 1, y, z + 1, visit);
+                          for (int dz = 0; dz <= 1; ++dz)
+                              grid.with_row(i, 0, x - 1, x + 1, y + 1, z + dz, visit);
+                      });
+                  }},
+                 {"no row beside the own", "classic",
+                  "Balls on one floor pass through each other.",
+                  "Within a layer the rows next to each other are missed: with_row for y and z + "
+                  "1.",
+                  [](const Grid& grid, const auto& visit) -> void {
+                      for_each_item(grid, [&](int i, int x, int y, int z) {
+                          grid.with_row(i, i + 1, x, x + 1, y, z, visit);
+                          for (int dz = -1; dz <= 1; ++dz)
+                              grid.with_row(i, 0, x - 1, x + 1, y + 1, z + dz, visit);
+                      });
+                  }},
+                 {"nothing to the left", "classic: x for x - 1",
+                  "Balls pass through each other from one side.",
+                  "In the other rows you look from x on: what lies to the left, x - 1, is "
+                  "missed.",
+                  [](const Grid& grid, const auto& visit) -> void {
+                      for_each_item(grid, [&](int i, int x, int y, int z) {
+                          grid.with_row(i, i + 1, x, x + 1, y, z, visit);
+                          grid.with_row(i, 0, x, x + 1, y, z + 1, visit);
+                          for (int dz = -1; dz <= 1; ++dz)
+                              grid.with_row(i, 0, x, x + 1, y + 1, z + dz, visit);
+                      });
+                  }},
+                 {"all 27, the own cube too", "classic",
+                  "Every body hits itself, and each other one twice.",
+                  "You look at all the cubes around and at the own one from its start: each pair "
+                  "is seen from "
+                  "both sides, and each point with itself. Look at the half that comes after.",
+                  [](const Grid& grid, const auto& visit) -> void {
+                      for_each_item(grid, [&](int i, int x, int y, int z) {
+                          for (int dy = -1; dy <= 1; ++dy)
+                              for (int dz = -1; dz <= 1; ++dz)
+                                  grid.with_row(i, 0, x - 1, x + 1, y + dy, z + dz, visit);
                       });
                   }}},
             .alternatives = {{"the half below",

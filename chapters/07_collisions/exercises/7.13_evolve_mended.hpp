@@ -17,6 +17,7 @@ struct EvolveMended {
         one(paper, answer, {0.3, 1.01, -0.2}, fast, 1, 0.5, {0.2, -4, 0.1});
         one(paper, answer, {0.3, 0.51, -0.2}, down, 0.5, 0.75, {0.2, -4, 0.1});
         one(paper, answer, {0.3, 1.01, -0.2}, down, 1, 0.75, {0.3, -9, -0.2});
+        one(paper, answer, {0.3, 2.5, -0.2}, down, 1, 0.75, {0.2, -4, 0.1}, 3.2);  // heavier
         one(paper, answer, {0.3, 0.6, -0.2}, up, 1, 0.75, {0.2, -4, 0.1});  // on its way up
         one(paper, answer, {0.3, 0.6, -0.2}, {0.5, 0.6, 0.25}, 1, 0.75,
             {0.2, -4, 0.1});                                                   // slowly
@@ -27,19 +28,20 @@ struct EvolveMended {
   private:
     template <class Answer>
     static void one(Paper& paper, const Answer& answer, const Vector3& place,
-                    const Vector3& momentum, double radius, double e, const Vector3& force) {
+                    const Vector3& momentum, double radius, double e, const Vector3& force,
+                    double mass = 2) {
         Universe universe;
-        universe.mass = 2, universe.radius = radius, universe.restitution = e;
+        universe.mass = mass, universe.radius = radius, universe.restitution = e;
         universe.force = force;
         Body ball;
-        ball.mass = 2, ball.inertia = Vector3::Constant(0.8);
+        ball.mass = mass, ball.inertia = Vector3::Constant(0.8);
         ball.position = place, ball.momentum = momentum;
         ball.orientation = Quaternion(0.8, 0.3, -0.4, 0.33).normalized();
         ball.angular_momentum = {0.4, -0.3, 0.7};
         const Body start = ball;
         const double dt = paper.step(0.05);
         paper.input("position", place, "momentum", momentum, "radius", radius, "restitution", e,
-                    "force", force, "dt", dt);
+                    "force", force, "mass", mass, "dt", dt);
         answer(universe, ball, dt);
         paper.changed("the position [m]", ball.position, start.position, radius);
         paper.changed("the momentum [kg m/s]", ball.momentum, start.momentum, force * dt);
@@ -53,16 +55,19 @@ struct EvolveMended {
     /// How a wrong answer differs from the right one.
     struct Slip {
         bool centre = false, down_again = false, spin = false, left_in = false, slowed = false,
-             printed_order = false, fixed = false;
+             printed_order = false, fixed = false, weight = false, mirror = false;
     };
     static void with(const Slip& slip, const Universe& universe, Body& ball, double dt) {
         if (slip.printed_order) drift(ball, dt);
-        kick(ball, {universe.force, Vector3::Zero()}, dt);
+        kick(ball, {(slip.weight ? ball.mass : 1) * universe.force, Vector3::Zero()}, dt);
         if (!slip.printed_order) drift(ball, dt);
         const double surface = slip.centre ? 0 : universe.radius;
         if (slip.slowed) ball.momentum *= 0.98;
         if (ball.position.y() >= surface) return;
-        if (!slip.left_in) ball.position.y() = surface;
+        if (slip.mirror)
+            ball.position.y() = 2 * surface - ball.position.y();
+        else if (!slip.left_in)
+            ball.position.y() = surface;
         if (ball.momentum.y() < 0 || slip.down_again)
             ball.momentum.y() *= slip.fixed ? -0.9 : -universe.restitution;
         if (slip.spin) ball.angular_momentum *= 0.9;
@@ -111,7 +116,15 @@ struct EvolveMended {
                   wrong({.slowed = true})},
                  {"the fixed 0.9", "E64: 0.9 written into the code", "Clay bounces like rubber.",
                   "You write 0.9 where the universe has its restitution.",
-                  wrong({.fixed = true})}},
+                  wrong({.fixed = true})},
+                 {"the force times the mass", "classic: a force taken for an acceleration",
+                  "Heavy balls fall faster.",
+                  "universe.force is a force already: the mass does not belong to it.",
+                  wrong({.weight = true})},
+                 {"mirrored at the floor", "classic", "Balls that lie still begin to hop.",
+                  "You mirror the ball at the floor, which lifts it by twice its depth. Set it "
+                  "on the floor.",
+                  wrong({.mirror = true})}},
             .alternatives = {{"the floor as an impact with the earth",
                               [](const Universe& universe, Body& ball, double dt) -> void {
                                   ball.momentum += universe.force * dt;

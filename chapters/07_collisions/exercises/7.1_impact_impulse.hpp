@@ -84,6 +84,32 @@ struct ImpactImpulse {
                   [](P a, P b, V n, double e) -> double {
                       const double s = separating_speed(a, b, n);
                       return s < 0 ? -e * s / (1 / a.mass + 1 / b.mass) : 0;
+                  }},
+                 {"infinity over infinity at a wall", "classic: m1 m2/(m1 + m2)",
+                  "A ball that meets a wall disappears.",
+                  "A wall's mass is infinite, and m1 m2/(m1 + m2) is infinity over infinity "
+                  "there. "
+                  "1/(1/m1 + 1/m2) is the same for balls, and right for walls.",
+                  [](P a, P b, V n, double e) -> double {
+                      const double s = separating_speed(a, b, n);
+                      return s < 0 ? -(1 + e) * s * (a.mass * b.mass) / (a.mass + b.mass) : 0;
+                  }},
+                 {"the mean of the masses", "classic", "A fly stops a truck.",
+                  "You take the mean of both masses. The lighter one gives way: one over the sum "
+                  "of one over "
+                  "each mass.",
+                  [](P a, P b, V n, double e) -> double {
+                      const double s = separating_speed(a, b, n);
+                      return s < 0 ? -(1 + e) * s * (a.mass + b.mass) / 2 : 0;
+                  }},
+                 {"the comparison the wrong way round", "classic: < for >=",
+                  "Balls go through each other, and those that part are pulled together.",
+                  "What closes in gets no impulse, and what moves apart gets one: closing in is "
+                  "a negative "
+                  "separating speed.",
+                  [](P a, P b, V n, double e) -> double {
+                      const double s = separating_speed(a, b, n);
+                      return s < 0 ? 0 : -(1 + e) * s / (1 / a.mass + 1 / b.mass);
                   }}},
             .alternatives = {{"by the lighter of both",
                               [](P a, P b, V n, double e) -> double {

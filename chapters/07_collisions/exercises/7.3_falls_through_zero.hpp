@@ -115,6 +115,43 @@ struct FallsThroughZero {
                       if (c <= 0 && (b < 0 || (b == 0 && a < 0))) return 0.0;
                       if (b < 0) return -c / b;
                       return {};
+                  }},
+                 {"a taken for an acceleration", "classic: a t^2/2",
+                  "Falling balls meet too soon.",
+                  "You solve a t^2/2 + b t + c = 0. The distance here is a t^2 + b t + c: under "
+                  "the root stands "
+                  "b^2 - 4ac.",
+                  [](double a, double b, double c) -> std::optional<double> {
+                      if (c <= 0 && (b < 0 || (b == 0 && a < 0))) return 0.0;
+                      const double square = b * b - 2 * a * c;
+                      if (!(square >= 0)) return {};
+                      const double q = -(b + std::copysign(std::sqrt(square), b)) / 2;
+                      if (a < 0) return q > 0 ? c / q : q / a;
+                      if (b < 0) return c / q;
+                      return {};
+                  }},
+                 {"the time of the top", "classic", "Balls bounce in mid-air.",
+                  "-b/(2a) is when the distance is largest or smallest, not when it is zero.",
+                  [](double a, double b, double c) -> std::optional<double> {
+                      if (c <= 0) return 0.0;
+                      if (a == 0) return {};
+                      return -b / (2 * a);
+                  }},
+                 {"the first root that is not negative", "classic",
+                  "Balls that fly apart stick, and slow ones jump.",
+                  "What touches and moves away meets nothing now; and a difference of two "
+                  "numbers of almost one "
+                  "size loses digits where a is small: divide 2c by a sum instead.",
+                  [](double a, double b, double c) -> std::optional<double> {
+                      if (c <= 0) return 0.0;
+                      if (a == 0) return b >= 0 ? std::optional<double>() : -c / b;
+                      const double D = b * b - 4 * a * c;
+                      if (D < 0) return {};
+                      const double one = (-b - std::sqrt(D)) / (2 * a),
+                                   two = (-b + std::sqrt(D)) / (2 * a);
+                      if (std::min(one, two) >= 0) return std::min(one, two);
+                      if (std::max(one, two) >= 0) return std::max(one, two);
+                      return {};
                   }}},
             .alternatives = {{"root by root",
                               [](double a, double b, double c) -> std::optional<double> {

@@ -11,13 +11,13 @@ struct BounceOffFloor {
 
     template <class Answer>
     static void ask(Paper& paper, const Answer& answer) {
-        BouncingBall level, low, lively, slanted;
-        low.ball.radius = 0.45, low.floor.offset = -0.3;
+        BouncingBall level, low, large, lively, slanted;
+        low.floor.offset = -0.3, large.ball.radius = 0.45;
         lively.restitution = 0.35;
         slanted.floor = {Vector3(3, 6, -2) / 7, 0.2};
         const Vector3 below(0.7, 0.04, -1.1), deep(0.7, -0.31, -1.1), above(0.7, 1.9, -1.1);
         const Vector3 down(1.2, -3.4, 0.8), up(1.2, 2.1, 0.8);
-        for (const BouncingBall& scene : {level, low, lively, slanted})
+        for (const BouncingBall& scene : {level, low, large, lively, slanted})
             for (const Particle& start :
                  {Particle{1.7, below, down}, Particle{1.7, deep, down}, Particle{1.7, below, up},
                   Particle{0.6, below, down}, Particle{1.7, above, down}})
@@ -127,6 +127,28 @@ struct BounceOffFloor {
                       Particle earth{immovable};
                       collide(earth, body, scene.floor.normal, 1);
                       body.position += depth * scene.floor.normal;
+                  }},
+                 {"no impact, for the normal points the wrong way",
+                  "classic: from the ball to the floor",
+                  "Balls are lifted out of the floor and fall in again.",
+                  "The momentum stays: for collide your two move apart. Its normal points from "
+                  "its first body "
+                  "to its second, and the floor's from the earth to the ball.",
+                  [](S scene, P body) {
+                      const double depth = depth_of(scene, body);
+                      if (depth < 0) return;
+                      Particle earth{immovable};
+                      collide(body, earth, scene.floor.normal, scene.restitution);
+                      body.position += depth * scene.floor.normal;
+                  }},
+                 {"a level floor at height zero", "E64: Y = 0 in the code",
+                  "Balls sink into ramps and cellars.",
+                  "You take the floor's normal for y and its height for zero. scene.floor has "
+                  "both.",
+                  [](S scene, P body) {
+                      if (body.position.y() > scene.ball.radius) return;
+                      body.position.y() = scene.ball.radius;
+                      if (body.momentum.y() < 0) body.momentum.y() *= -scene.restitution;
                   }}},
             .alternatives = {{"by hand",
                               [](S scene, P body) {

@@ -94,6 +94,14 @@ struct MobilityOfPoint {
                   "it.",
                   [](double m, M W, V r) -> Matrix3 {
                       return (m > 0 ? 1 / m : 0) * Matrix3::Identity() - cross(r) * W * cross(r);
+                  }},
+                 {"struck at right angles to its lever", "classic: r^2/I",
+                  "What is hit along its lever gives way too easily.",
+                  "r^2/I is for an impulse at right angles to the lever, about one axis. One "
+                  "along the lever "
+                  "turns nothing: the matrix of r x stands on both sides of the inverse inertia.",
+                  [](double m, M W, V r) -> Matrix3 {
+                      return m * Matrix3::Identity() + r.squaredNorm() * W;
                   }}},
             .alternatives = {{"column by column",
                               [](double m, M W, V r) -> Matrix3 {

@@ -66,9 +66,10 @@ struct ApplyImpulse {
                   "You change the momenta only. An impulse beside the centre also changes the "
                   "angular momentum, by its lever.",
                   [](B a, B b, C, V J) { a.momentum -= J, b.momentum += J; }},
-                 {"J x r", "classic: the cross product the wrong way round",
+                 {"the torque of the wrong sign", "classic: J x r, or the lever turned round",
                   "What is hit on its right turns left.",
-                  "Your cross product has its factors exchanged: it is lever x J.",
+                  "Both angular momenta change with the wrong sign. It is lever x J in this "
+                  "order, and the lever goes from the centre to the contact.",
                   [](B a, B b, C at, V J) {
                       a.momentum -= J, b.momentum += J;
                       a.angular_momentum += (at.point - a.position).cross(J);

@@ -114,6 +114,17 @@ struct PlasticImpulse {
                       const Vector3 friction = stick - normal * n;
                       if (normal > 0 && friction.norm() <= mu * stick.norm()) return stick;
                       return sliding_impulse(K, u, n, mu).value_or(smooth_impulse(K, u, n, 0));
+                  }},
+                 {"all of the impulse for its part across", "classic",
+                  "Things slide that friction could hold.",
+                  "You let it slide though friction could hold it: mu times the normal part "
+                  "bounds what is "
+                  "across the normal, not all of the impulse.",
+                  [](M K, V u, V n, double mu) -> Vector3 {
+                      const Vector3 stick = -K.inverse() * u;
+                      const double normal = n.dot(stick);
+                      if (normal > 0 && stick.norm() <= mu * normal) return stick;
+                      return sliding_impulse(K, u, n, mu).value_or(smooth_impulse(K, u, n, 0));
                   }}},
             .alternatives = {{"by the angle",
                               [](M K, V u, V n, double mu) -> Vector3 {

@@ -101,7 +101,8 @@ struct PressOne {
     /// How a wrong answer differs from the right one.
     struct Slip {
         bool clamp_each = false, may_pull = false, no_cone = false, cone_of_old = false,
-             no_levers = false, forget = false, add = false, whole = false;
+             no_levers = false, forget = false, add = false, whole = false, no_fade = false,
+             anew = false;
     };
     static void with(const Slip& slip, PressedContact& c, Body& a, Body& b, const Mobility& of_a,
                      const Mobility& of_b, const Press& want) {
@@ -115,13 +116,16 @@ struct PressOne {
         const double more = wish.mass * c.normal_mass * (wish.speed - s);
         double normal = std::max(0.0, (1 - wish.fade) * before + more);
         if (slip.clamp_each) normal = before + std::max(0.0, more - wish.fade * before);
+        if (slip.no_fade) normal = std::max(0.0, before + more);
         if (slip.may_pull) normal = (1 - wish.fade) * before + more;
-        Vector3 wanted = c.friction - c.friction_mass * (slip.whole ? u : u - s * c.normal);
+        Vector3 wanted = (slip.anew ? 0 : 1) * c.friction -
+                         c.friction_mass * (slip.whole ? u : u - s * c.normal);
         const double limit = want.friction * (slip.cone_of_old ? before : normal);
         const Vector3 friction = slip.no_cone   ? wanted
                                  : want.pyramid ? in_pyramid(wanted, limit, c.normal)
                                                 : in_cone(wanted, limit);
-        const Vector3 J = (normal - before) * c.normal + (friction - c.friction);
+        const Vector3 J =
+            (normal - before) * c.normal + friction - (slip.anew ? 0 : 1) * c.friction;
         if (slip.no_levers)
             a.momentum -= J, b.momentum += J;
         else
@@ -182,7 +186,16 @@ struct PressOne {
                   "Two bodies that fly side by side collide.",
                   "You add the velocities of the two points. What counts is their difference, "
                   "b's seen from a's.",
-                  wrong({.add = true})}},
+                  wrong({.add = true})},
+                 {"nothing is given back", "classic: wish.fade forgotten", "Soft things ring.",
+                  "A soft contact gives back the part wish.fade of what it had: you keep all of "
+                  "it.",
+                  wrong({.no_fade = true})},
+                 {"friction begun anew", "classic: not accumulated", "Stacks creep sideways.",
+                  "You begin the friction anew in each turn. Like the normal impulse it is a "
+                  "sum: from "
+                  "c.friction on.",
+                  wrong({.anew = true})}},
             .alternatives = {{"increments first, then clamped against the sum",
                               [](PressedContact& c, Body& a, Body& b, const Mobility& of_a,
                                  const Mobility& of_b, const Press& want) -> void {

@@ -62,7 +62,7 @@ struct Clipped {
 #ifndef NUTSHELL_SHEET
     struct Slip {
         bool no_cuts = false, other_side = false, half_way = false, wrong_end = false,
-             one_way = false, ignore_sign = false;
+             one_way = false, ignore_sign = false, open = false, outer = false;
     };
     static Polygon with(const Slip& slip, const Polygon& from, int axis, double sign,
                         double limit, int side) {
@@ -76,12 +76,14 @@ struct Clipped {
             if (slip.other_side) over_p = -over_p, over_q = -over_q;
             if (over_p <= 0) left.add(p, from.name[here]);
             const bool leaves = over_p < 0 && over_q > 0, enters = over_p > 0 && over_q < 0;
+            if (slip.open && k + 1 == from.size) continue;
             if (slip.no_cuts || !(leaves || (enters && !slip.one_way))) continue;
             double part = over_p / (over_p - over_q);
             if (slip.half_way) part = 0.5;
             if (slip.wrong_end) part = 1 - part;
-            left.add(p + part * (q - p),
-                     over_p < 0 ? 10 * from.name[here] + side : 10 * from.name[next] + 5 + side);
+            left.add(p + part * (q - p), over_p < 0   ? 10 * from.name[here] + side
+                                         : slip.outer ? 10 * from.name[here] + 5 + side
+                                                      : 10 * from.name[next] + 5 + side);
         }
         return left;
     }
@@ -126,7 +128,18 @@ struct Clipped {
                  {"always the upper side", "classic: the sign is not used",
                   "Boxes stand well on one half of a table.",
                   "You do not use sign: the limits at -x and -y are never cut.",
-                  wrong({.ignore_sign = true})}},
+                  wrong({.ignore_sign = true})},
+                 {"the last edge is never cut", "classic: not closed",
+                  "A corner is missing now and then.",
+                  "The edge from the last corner back to the first is never cut: after the last "
+                  "comes the first "
+                  "again, (k + 1) % size.",
+                  wrong({.open = true})},
+                 {"named after the outer end", "classic", "Contacts forget what they carried.",
+                  "Where the outline comes back in, the new corner is named after the edge's "
+                  "outer end. It is "
+                  "the inner one, next, that stays.",
+                  wrong({.outer = true})}},
             .alternatives = {{"from each corner back to the one before",
                               [](const Polygon& from, int axis, double sign, double limit,
                                  int side) -> Polygon {
