@@ -31,6 +31,10 @@ std::optional<Finding> ignored_argument(const Evidence& evidence) {
                 if (outputs[i].name != outputs[j].name ||
                     outputs[i].values.size() != outputs[j].values.size())
                     continue;
+                const auto is_zero = [](double value) { return value == 0; };
+                if (std::all_of(evidence.yours[i].begin(), evidence.yours[i].end(), is_zero) &&
+                    std::all_of(evidence.yours[j].begin(), evidence.yours[j].end(), is_zero))
+                    continue;  // nothing makes a difference where nothing comes out
                 const bool should = apart(outputs[i], outputs[i].values, outputs[j].values) > 1e-6,
                            does = apart(outputs[i], evidence.yours[i], evidence.yours[j]) > 1e-12;
                 if (does || should) (does ? used : ignored).push_back(differ[0]);
@@ -91,6 +95,7 @@ std::optional<Finding> wrong_somewhere(const Evidence& evidence) {
         struct Side {
             double least = 1e300, largest = -1e300;  ///< of sizes
             std::size_t count = 0, zeros = 0, below = 0;
+            std::size_t ones = 0;                   ///< vectors of length one
             std::array<std::size_t, 4> negative{};  ///< of each component
             std::vector<double> sizes = {};
         } bad, good;
@@ -110,6 +115,7 @@ std::optional<Finding> wrong_somewhere(const Evidence& evidence) {
             side.largest = std::max(side.largest, size);
             ++side.count, side.zeros += size == 0, side.below += values[0] < 0;
             side.sizes.push_back(size);
+            side.ones += values.size() > 1 && std::abs(size - 1) < 1e-9;
             for (std::size_t k = 0; k < std::min<std::size_t>(values.size(), 4); ++k)
                 side.negative[k] += values[k] < 0;
         }
@@ -131,6 +137,10 @@ std::optional<Finding> wrong_somewhere(const Evidence& evidence) {
                     const std::string part = name + "." + "xyzw"[k];
                     return {{"wrong where " + part + " is negative", {also + part + " is negative."}}};
                 }
+        if (bad.ones == 0 && good.ones > 1)
+            return {{"wrong where " + name + " is not of length one",
+                     {"Your answer is right where " + name + " has the length one, and wrong where it has " +
+                      "another: is it to be made so first?"}}};
         const std::string size = !numbers                 ? "the length of " + name
                                  : bad.below + good.below ? "the size of " + name
                                                           : name;
@@ -143,6 +153,10 @@ std::optional<Finding> wrong_somewhere(const Evidence& evidence) {
         if (good.zeros == good.count && bad.zeros == 0)
             return {{"right only where " + name + " is zero",
                      {"Your answer is right where " + name + " is zero, and nowhere else."}}};
+        if (good.zeros > 0 && bad.zeros == 0 && bad.least > 100 * good.largest)
+            return {{"right only where " + name + " is zero",
+                     {"Your answer is right where " + name + " is zero or next to nothing (up to " +
+                      digits(good.largest, "%.1g") + "), and nowhere else."}}};
         if (bad.least > good.largest && (many || bad.least > 100 * good.largest))
             return {{"wrong where " + name + " is large",
                      {also + size + " is large: right up to " + digits(good.largest, "%.4g") +
@@ -183,12 +197,14 @@ std::vector<std::string> what_is_right(const Evidence& evidence, bool explained)
         std::string text;
         for (std::size_t i = 0; i < names.size(); ++i)
             text += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i];
-        return text + (names.size() > 1 ? " are" : " is");
+        return text;
     };
     if (!right.empty() && !wrong.empty() && wrong.size() <= 3)
-        words.push_back(capital(list(right)) + " right; " + list(wrong) + " not.");
+        words.push_back("Right: " + list(right) + ". Wrong: " + list(wrong) + ".");
     for (auto& part : parts(size, components)) words.push_back(std::move(part));
-    if (!explained && wrong_inputs.size() < inputs.size())
+    const auto where = explained ? std::vector<std::string>{} : where_and_along(evidence);
+    words.insert(words.end(), where.begin(), where.end());
+    if (!explained && where.empty() && wrong_inputs.size() < inputs.size())
         words.push_back("It is right for " + std::to_string(inputs.size() - wrong_inputs.size()) + " of " +
                         std::to_string(inputs.size()) + " inputs: what is special about " +
                         (2 * wrong_inputs.size() > inputs.size() ? "those?" : "the one below?"));

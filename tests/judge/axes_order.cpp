@@ -172,17 +172,17 @@ std::optional<Finding> wrong_order(const Evidence& evidence) {
                  {"One step differs from the right one by about as much however short it is: is dt missing "
                   "somewhere, or something changed that no step should change? " +
                   table}}};
-    if (error[2] > 0.75 * error[0])
+    const double seen = std::log2(error[1] / error[2]);
+    if (error[2] > 0.75 * error[0] || seen < 0.5)
         return {{"wrong formula",
                  {"The error does not shrink with the step: this is a wrong formula, not a coarse step. " +
                   table}}};
-    const double seen = std::log2(error[1] / error[2]);
     if (seen < order - 0.4)
         return {{"wrong order",
                  {"The error shrinks, but like dt^" + digits(seen, "%.1f") + " where this method has dt^" +
                   std::to_string(order) +
                   ": the formula is right in the limit, but something is taken at the wrong time or place in "
-                  "the step. " +
+                  "the step, or with the wrong weight. " +
                   table}}};
     if (const auto local = local_power(evidence); local && *local < order + 0.6)
         return {{"wrong order",

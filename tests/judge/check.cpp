@@ -197,6 +197,9 @@ class Check {
         const Body* body = own_.body_of(number);
         if (body)
             if (auto clue = whole_division(body->text)) return clue;
+        if (body)
+            if (auto clue = comma_between(warnings_in(number, sheet), own_.file_of(number).source))
+                return clue;
         const auto twice = two_answers(answer);
         if (body && (twice || diagnosis.origin.empty()) && names(bare_code(body->text), "auto"))
             if (auto clue = dangling_auto(rooms_, chapter_, number)) return clue;

@@ -1,4 +1,5 @@
 #include "clues.hpp"
+#include <regex>
 #include "text.hpp"
 #include "tokens.hpp"
 
@@ -41,6 +42,26 @@ std::optional<Clue> lost_fraction(const std::vector<Warning>& warnings, const Ma
             {"a fraction is lost", "In your line  " + text +
                                        "  a number with a fraction becomes an int, and what is behind the "
                                        "point is lost: take a double."}};
+    }
+    return std::nullopt;
+}
+
+std::optional<Clue> comma_between(const std::vector<Warning>& warnings, const Marked& source) {
+    static const std::regex number(R"(\d,\d+)");
+    for (const Warning& warning : warnings) {
+        if (!contains(warning.words, "operand of comma operator")) continue;
+        const std::size_t line = std::stoul(warning.where.substr(warning.where.rfind(':') + 1));
+        const std::string text = trimmed(source.lines[line - 1]).substr(0, 300);
+        std::smatch found;
+        if (std::regex_search(text, found, number))
+            return {{"a comma in a number", found.str() +
+                                                " is no number in C++: of two values between which a "
+                                                "comma stands the second counts. Write " +
+                                                replaced(found.str(), ",", ".") + "."}};
+        return {
+            {"a comma between values", "In your line  " + text +
+                                           "  the comma throws away what stands before it. Several values "
+                                           "stand in braces."}};
     }
     return std::nullopt;
 }

@@ -64,12 +64,24 @@ std::string digits(double value, const char* format) {
     return text;
 }
 
-std::string shown(const Values& values, const Values& other) {
+std::string shown(const Values& values, const Values& other, bool matrix) {
+    std::size_t first = 0;  // where they differ
+    while (first < values.size() && first < other.size() &&
+           std::abs(values[first] - other[first]) <= 1e-9 * std::abs(values[first]))
+        ++first;
+    const std::size_t count = values.size(),
+                      begin = other.empty() || first < 9 || count <= 9 ? 0 : std::min(first - 2, count - 9);
     const auto with = [&](const Values& of, const char* format) {
         std::string text;
-        for (std::size_t i = 0; i < of.size() && i < 9; ++i) text += (i ? ", " : "") + digits(of[i], format);
+        for (std::size_t i = begin; i < of.size() && i < begin + 9; ++i)
+            text += (i == begin             ? ""
+                     : matrix && i % 3 == 0 ? ")\n                ("
+                                            : ", ") +
+                    digits(of[matrix ? i / 3 + 3 * (i % 3) : i], format);
         if (of.size() == 1) return text;
-        return "(" + text + (of.size() > 9 ? ", ...)" : ")");
+        return (begin > 0 ? "(..., " : "(") + text + (of.size() > begin + 9 ? ", ...)" : ")") +
+               (begin > 0 ? ", from number " + std::to_string(begin + 1) + " of " + std::to_string(count)
+                          : "");
     };
     const char* format = "%.9g";
     if (values != other && with(values, format) == with(other, format)) format = "%.17g";

@@ -25,8 +25,10 @@ bool agrees(const exercises::Record& reference, const std::vector<Values>& yours
 
 bool finite(const Values& values);
 double distance(const Values& a, const Values& b);  ///< Euclidean
-/// "1.25" or "(1, 2.5, -3)", with as many digits as tell them apart from `other`.
-std::string shown(const Values& values, const Values& other = {});
+/// "1.25" or "(1, 2.5, -3)", with as many digits as tell them apart from `other`; of many numbers the nine
+/// where they first differ from `other`.
+/// @param matrix  nine numbers by columns: three rows, the second and third on lines of their own
+std::string shown(const Values& values, const Values& other = {}, bool matrix = false);
 std::string digits(double value, const char* format = "%.9g");
 
 }  // namespace nutshell::judge

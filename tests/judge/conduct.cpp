@@ -32,7 +32,9 @@ std::pair<std::string, std::string> described(const SheetAnswer& answer, std::si
                          "too long, or without end",
                          "It answered what was asked before, but comes to no end for the input below: "
                          "stopped after 2 seconds of work (or 5 of waiting). A loop whose condition "
-                         "never fails there, or one that turns more often the larger the input is?"};
+                         "never fails there, or one that takes a turn for each step, however many there are? "
+                         "A "
+                         "division gives their number at once: std::floor(a / b)."};
     if (ran.printed_too_much)
         return {"prints without end",
                 "It prints without end: stopped. Is there a print in a loop that does not end?"};

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <set>
 #include "rooms.hpp"
 #include "signatures.hpp"
 
@@ -54,6 +55,37 @@ bool near_by(const Evidence& evidence, const Record& mistake) {
     return std::isfinite(most);
 }
 
+/// Whether an answer is a mistake's times one number, or with another sign here and there; and the words for
+/// it. Not of a mistake that is a multiple of the truth itself.
+std::optional<std::string> scaled(const Evidence& evidence, const Record& mistake) {
+    const auto& outputs = evidence.reference.outputs;
+    std::set<long long> factors, of_truth;  // in parts of a billion
+    for (std::size_t i = 0; i < outputs.size(); ++i) {
+        if (i >= mistake.outputs.size() || outputs[i].values.size() != evidence.yours[i].size()) return {};
+        double up = 0, down = 0, truth = 0;
+        const Values& wrong = mistake.outputs[i].values;
+        for (std::size_t k = 0; k < wrong.size(); ++k) {
+            up += wrong[k] * evidence.yours[i][k], down += wrong[k] * wrong[k];
+            truth += wrong[k] * outputs[i].values[k];
+        }
+        Values same = wrong;
+        for (double& value : same) value *= down > 0 ? up / down : 1;
+        if (!(std::abs(up) < 1e3 * down + 1) || !(apart(outputs[i], same, evidence.yours[i]) <= tolerance))
+            return {};
+        if (!(down > 0)) continue;
+        if (apart(outputs[i], outputs[i].values, evidence.yours[i]) <= tolerance)
+            return {};  // right in a case
+        factors.insert(std::llround(1e9 * up / down)), of_truth.insert(std::llround(1e9 * truth / down));
+    }
+    if (of_truth.size() < 2 || factors.empty() || factors.count(0)) return {};
+    if (factors == std::set<long long>{-1000000000, 1000000000})
+        return "Besides, its sign is wrong for some inputs.";
+    if (factors.size() > 1) return {};
+    const double c = 1e-9 * static_cast<double>(*factors.begin());
+    return c == -1 ? "Besides, it has the wrong sign."
+                   : "Besides, it is " + digits(c, "%.4g") + " times as large.";
+}
+
 /// A mistake that is known by name, if all answers are as it gives them; or, with a word on the rest, if all
 /// are up to the last quarter, or nearly.
 /// @param in_part  set to one that explains all answers of the first wrong name, and only those
@@ -78,9 +110,16 @@ std::optional<Finding> known_mistake(const Evidence& evidence, bool beyond, std:
         } else if (!close && near_by(evidence, record)) {
             finding.words.push_back("Nearly so: besides, there is something else, smaller.");
             close = finding, close_from = mistake.origin;
+        } else if (const auto besides = scaled(evidence, record); besides && !close) {
+            finding.words.push_back(*besides);
+            close = finding, close_from = mistake.origin;
         } else if (same_under_that_name(evidence, record)) {
-            finding.words.push_back("Besides, there is something else: that does not explain " +
-                                    without_unit(outputs[common].name) + ".");
+            const auto left = std::find_if(evidence.wrong.begin(), evidence.wrong.end(), [&](std::size_t i) {
+                return !(apart(outputs[i], record.outputs[i].values, evidence.yours[i]) <= tolerance);
+            });
+            if (left != evidence.wrong.end())
+                finding.words.push_back("Besides, there is something else: that does not explain " +
+                                        without_unit(outputs[*left].name) + ".");
             in_part = finding, ++names;
         }
     }
@@ -93,17 +132,30 @@ using Signature = std::function<std::optional<Finding>(const Evidence&)>;
 
 /// The first of the signatures that explains it, with what else may be said.
 Finding explained(const Evidence& evidence, const std::optional<Finding>& in_part) {
-    for (const auto told : {wrong_size, not_finite, nearly_right})
+    for (const auto told : {wrong_size, not_finite, made_of_length_one, nearly_right})
         if (const auto finding = told(evidence)) return *finding;
     const auto in_part_by_name = [&](const Evidence&) { return in_part; };
     for (const Signature& told :
-         {Signature(nothing_changed), Signature(wrong_frame), Signature(one_factor),
-          Signature(exchanged_components), Signature(one_offset), Signature(ignored_argument),
-          Signature(in_part_by_name), Signature(wrong_order), Signature(wrong_somewhere)})
+         {Signature(nothing_changed), Signature(something_and_nothing_exchanged), Signature(wrong_frame),
+          Signature(one_factor), Signature(exchanged_components), Signature(exchanged_outputs),
+          Signature(right_direction), Signature(one_offset), Signature(wrong_sign_somewhere),
+          Signature(ignored_argument), Signature(in_part_by_name), Signature(wrong_order)})
         if (auto finding = told(evidence)) {
             for (auto& more : what_is_right(evidence, true)) finding->words.push_back(std::move(more));
             return *finding;
         }
+    if (auto finding = wrong_somewhere(evidence)) {
+        auto more = what_is_right(evidence, true);
+        std::set<std::string> names, wrong;
+        for (const auto& output : evidence.reference.outputs) names.insert(output.name);
+        for (const std::size_t i : evidence.wrong) wrong.insert(evidence.reference.outputs[i].name);
+        if (names.size() > 1 && wrong.size() == 1) {  // that says more than where
+            finding->name = "wrong in " + without_unit(*wrong.begin()) + " only";
+            std::swap(finding->words, more);
+        }
+        for (auto& words : more) finding->words.push_back(std::move(words));
+        return *finding;
+    }
     Finding none{"wrong formula", what_is_right(evidence, false)};
     if (none.words.empty())
         none.words = {"This is no slip known by name: the formula gives other numbers than it should."};
@@ -136,8 +188,8 @@ Diagnosis diagnose(const Exercise& exercise, const Record& reference, const std:
     diagnosis.words = finding.words;
     diagnosis.seen = reference.inputs[outputs[shows].input].words;
     diagnosis.output = outputs[shows].name;
-    diagnosis.yours = shown(yours[shows], outputs[shows].values);
-    diagnosis.expected = shown(outputs[shows].values, yours[shows]);
+    diagnosis.yours = shown(yours[shows], outputs[shows].values, outputs[shows].matrix);
+    diagnosis.expected = shown(outputs[shows].values, yours[shows], outputs[shows].matrix);
     return diagnosis;
 }
 

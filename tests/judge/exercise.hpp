@@ -140,8 +140,8 @@ class Paper {
 #ifdef NUTSHELL_SHEET
         send(numbers(value));
 #else
-        keep(name, numbers(value), terms(), numbers(start), numbers(exact),
-             std::is_same_v<Value, Quaternion>);
+        keep(name, numbers(value), terms(), numbers(start), numbers(exact), std::is_same_v<Value, Quaternion>,
+             std::is_same_v<Value, Matrix3>);
 #endif
     }
 
@@ -151,16 +151,16 @@ class Paper {
     void begin_input();
     void describe(const char* name_or_words);
     void describe(double value);
-    void describe(const std::vector<double>& values);
+    void describe(const std::vector<double>& values, bool matrix = false);
     template <class Derived>
     void describe(const Eigen::DenseBase<Derived>& value) {
-        describe(numbers(value));
+        describe(numbers(value), Derived::RowsAtCompileTime == 3 && Derived::ColsAtCompileTime == 3);
     }
     void describe(const Quaternion& value) {
         describe(numbers(value));
     }
     void keep(const char* name, std::vector<double> values, const std::vector<double>& terms,
-              std::vector<double> start, std::vector<double> exact, bool quaternion);
+              std::vector<double> start, std::vector<double> exact, bool quaternion, bool matrix);
     Record record_;
     std::vector<double> frame_;
     std::string name_;  ///< of the value that comes next

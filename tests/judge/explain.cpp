@@ -99,19 +99,30 @@ std::string missing_include(const std::vector<std::string>& lines, const Said& e
 std::string from_notes(const std::string& message, const std::string& notes) {
     static const std::regex count(R"((?:requires|expects) (\d+) arguments?, (?:but )?(\d+) (?:w|provided))"),
         type(
-            R"(no known conversion (?:for argument \d+ )?from '(?:const )?([^']*)' to '(?:const )?([^']*?)&?')");
+            R"(no known conversion (?:for argument (\d+) )?from '(?:const )?([^']*)' to '(?:const )?([^']*?)&?')");
+    static const std::regex axis(
+        R"(candidate: '?template ?<(?:int|std::size_t|unsigned int|long unsigned int|long int) \w+>[^(]*?(\w+)\()");
     std::smatch found;
     if (contains(message, "no viable overloaded") &&
         (contains(notes, "not marked const") || contains(notes, "conversion from 'const ")))
         return says_const;
     if (!contains(message, "no matching function")) return "";
-    if (std::regex_search(notes, found, count))
+    if (std::regex_search(notes, found, axis))
+        return found[1].str() + " takes its number in angle brackets: " + found[1].str() + "<0>(...).";
+    if (std::regex_search(notes, found, count) && !std::regex_search(notes, type))
         return std::string("This function is called with too ") +
                (std::stoi(found[2]) < std::stoi(found[1]) ? "few" : "many") +
                " values: look at its line in the header.";
-    if (std::regex_search(notes, found, type))
-        return "A value of type " + found[1].str() + " stands where a " + found[2].str() + " is needed.";
-    return "";
+    int furthest = 0;  // of several functions of this name, the one that more values fit is meant
+    std::string meaning;
+    for (std::sregex_iterator each(notes.begin(), notes.end(), type), end; each != end; ++each) {
+        const int argument = (*each)[1].matched ? std::stoi((*each)[1]) : 0;
+        if (!meaning.empty() && argument <= furthest) continue;
+        furthest = argument;
+        meaning =
+            "A value of type " + (*each)[2].str() + " stands where a " + (*each)[3].str() + " is needed.";
+    }
+    return meaning;
 }
 
 /// The semicolon that is missed before a line's first word belongs to the line above.
@@ -130,6 +141,18 @@ void move_up_to_semicolon(CompileProblem& problem, const Marked& learner, std::s
     problem.where = name + ":" + std::to_string(above);
     problem.line = trimmed(learner.lines[above - 1]);
     problem.message = "A semicolon is missing at the end of this line.";
+}
+
+/// The error on the same line that two operands side by side give, where the first one does not tell.
+std::string side_by_side(const std::vector<std::string>& lines, const Said& error, const std::string& line) {
+    static const std::regex expected(R"(^expected '[;)]' before '?[\w(])");
+    std::smatch found;
+    for (std::size_t k = error.at + 1; k < lines.size(); ++k)
+        if (is_error(lines[k], found) && found[1] == error.file && std::stoul(found[2]) == error.line) {
+            const std::string message = found[3];
+            if (std::regex_search(message, expected)) return missing_sign(line);
+        }
+    return "";
 }
 
 }  // namespace
@@ -166,57 +189,39 @@ std::string Sheets::lost_include() const {
     return "";
 }
 
-/// The names that may stand in the body of `number`.
-Reach Sheets::reach_in(const Marked& learner, Number number) const {
-    Reach reach{{"Vector3", "Matrix3", "Quaternion", "return", "const", "double"}, {}};
-    const Body* body = learner.body(number);
-    if (!body) return reach;
-    const auto arguments = parameters_of(signature(learner, number));
-    for (const Parameter& argument : arguments) reach.names.push_back(argument.name);
-    const auto tokens = tokens_of(body->text);
-    for (std::size_t i = 0; i + 2 < tokens.size(); ++i)  // what the body declares
-        if (tokens[i].kind == Token::name && tokens[i + 1].kind == Token::name && tokens[i + 2].word == "=")
-            reach.names.emplace_back(tokens[i + 1].word);
-    static const std::regex function(R"(^(?:inline )?[\w:<>, ]+[ >](\w+)\()"), structure(R"(^struct (\w+))"),
-        member(R"(^    [\w:<>]+ (\w+)(?: =.*)?;)");
-    for (const auto& header : chapter_.headers) {
-        std::string type;
-        std::smatch found;
-        for (const auto& line : header.reference.lines) {
-            if (std::regex_search(line, found, structure)) type = found[1];
-            if (starts_with(line, "}")) type.clear();
-            if (type.empty() && line.size() < 300 && std::regex_search(line, found, function))
-                reach.names.push_back(found[1]);
-            if (type.empty() || !std::regex_search(line, found, member)) continue;
-            for (const Parameter& argument : arguments)
-                if (argument.type == type || argument.type == "State")
-                    reach.members.push_back(argument.name + "." + found[1].str());
-        }
-    }
-    return reach;
-}
-
 CompileProblem Sheets::explain(const std::string& said, const std::vector<Number>& numbers) const {
     CompileProblem problem;
     if (said.empty()) {
         problem.message =
-            "The compiler did not come to an end within a minute, or ran out of memory. Undo the last change "
-            "and try again.";
+            "The compiler did not come to an end within a minute of work, or ran out of memory. Undo the "
+            "last "
+            "change and try again.";
         return problem;
     }
     const auto lines = short_lines(said);
     const std::string own = (rooms_.answers / "").string();
     const Said error = first_error(lines, own);
+    if (error.file.empty() && contains(said, "internal compiler error")) {
+        problem.message =
+            "The compiler itself crashed on it, twice: is something nested much too deep, or a line far too "
+            "long?";
+        return problem;
+    }
     if (error.file.empty()) {
         problem.message = "It compiles, but does not link: something is declared and never defined.";
         problem.compiler = plain_types(lines.empty() ? "" : lines.front());
         return problem;
     }
-    problem.compiler = plain_types(error.message);
+    static const std::regex unnamed(R"('[^']*<lambda[^']*')");
+    problem.compiler = std::regex_replace(plain_types(error.message), unnamed, "'a function'");
     if (contains(error.message, "int main(")) {
         problem.message = "There is a main() in your file. The judge has its own: take yours out.";
         return problem;
     }
+    for (const auto& header : chapter_.headers)  // it makes nonsense of all that follows
+        if (const auto file = rooms_.answers / chapter_.folder / header.path; std::filesystem::exists(file))
+            if (const auto braces = unpaired_braces(marked(read_text(file)), named(file.string())))
+                return *braces;
     if (!starts_with(error.file, own)) return cannot_be_called(lines, problem.compiler, error.at, numbers);
 
     const std::string name = named(error.file);
@@ -226,14 +231,14 @@ CompileProblem Sheets::explain(const std::string& said, const std::vector<Number
     if (error.line >= 1 && error.line <= learner.lines.size())
         problem.line = trimmed(learner.lines[error.line - 1]).substr(0, 300);
     problem.beyond = contains(error.message, "nutshell::exercises::");  // a type of the questions
-    if (const auto braces = unpaired_braces(learner, name)) return *braces;
-
     problem.message = lost_include();
     if (problem.message.empty())
         if (const std::string include = missing_include(lines, error, problem.compiler); !include.empty())
             problem.message =
                 "Something here needs the line #include " + include + " at the top of the file.";
     const std::string notes = notes_after(lines, error.at);
+    if (problem.message.empty() && contains(problem.compiler, "operator"))
+        problem.message = side_by_side(lines, error, bare_code(problem.line));
     if (problem.message.empty() && problem.number)
         problem.message = meaning_in_line(problem.compiler, notes, bare_code(problem.line),
                                           reach_in(learner, *problem.number));
@@ -241,6 +246,11 @@ CompileProblem Sheets::explain(const std::string& said, const std::vector<Number
     if (problem.message.empty()) problem.message = meaning_of(problem.compiler);
     if (problem.message.empty()) problem.message = "The compiler does not accept this line.";
     move_up_to_semicolon(problem, learner, error.line, name);
+    if (const auto comment = problem.line.find("//");
+        contains(problem.message, "semicolon") && comment != std::string::npos && comment > 0)
+        problem.message =
+            "// begins a comment, and what stands behind it is not read. A division that rounds down is "
+            "std::floor(a / b).";
     if (problem.compiler.size() > 160) problem.compiler = problem.compiler.substr(0, 157) + "...";
     return problem;
 }

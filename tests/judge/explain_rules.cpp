@@ -78,7 +78,7 @@ constexpr Rule rules[] = {
      "These two cannot be joined like this: $1 and $2."},
     {R"(YOU_MIXED_MATRICES_OF_DIFFERENT_SIZES|INVALID_MATRIX_PRODUCT|INVALID_VECTOR_VECTOR_PRODUCT)",
      "Vectors or matrices of sizes that do not fit are joined here. For two vectors: .dot() gives a number, "
-     ".cross() a vector."},
+     ".cross() a vector, .cwiseProduct() the products of their components."},
     {R"(cannot convert '(.*)' to '(.*)'|conversion from '(.*)' to non-scalar type '(.*)'|could not convert from '(.*)' to '(.*)'|no viable conversion from (?:returned value of type )?'(.*)' to (?:function return type )?'(.*)')",
      "A value of type $1$3$5$7 stands where a $2$4$6$8 is needed."},
     {R"(invalid initialization of (?:non-const )?reference of type '(?:const )?(\w+)&' from (?:an rvalue|expression) of type '(.*)')",
@@ -99,7 +99,8 @@ std::string meaning_of(const std::string& message) {
     std::smatch found;
     for (const Rule& rule : rules)
         if (std::regex_search(message, found, std::regex(rule.says)))
-            return replaced(found.format(rule.means), "const ", "");
+            return std::regex_replace(replaced(found.format(rule.means), "const ", ""),
+                                      std::regex("where a ([AEIOaeio])"), "where an $1");
     return "";
 }
 

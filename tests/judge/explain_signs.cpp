@@ -3,17 +3,76 @@
 #include <regex>
 #include "explain.hpp"
 #include "explain_line.hpp"
+#include "text.hpp"
 
 namespace nutshell::judge {
 
 namespace {
 
-/// Regular expressions for the compiler's message with its notes, and for the line; an empty one fits all.
+/// Regular expressions for the compiler's message with its notes, and for the line; an empty one fits all. In
+/// the meaning $1 is what the first caught, %1 what the second did.
 struct Rule {
     const char *message, *line, *means;
 };
 // first match wins
 constexpr Rule rules[] = {
+    {R"(before 'x')", R"([\w)] x [\w(])",
+     "x is no product in C++. Of numbers and matrices it is *, of vectors a.cross(b), of rotations "
+     "product(a, b)."},
+    {"", R"(\b(AND|OR|NOT)\b)", "and, or and not are written &&, || and ! in C++."},
+    {"", R"([^=!<>+]=\+ )", "=+ is not +=: it assigns what follows, with a plus in front. Write +=."},
+    {"expected", R"(([-+*/]) =[^=])", "%1= is one sign: no space in it."},
+    {R"(invalid types|operator\[\])", R"(\w\[\w+\]\[)",
+     "An entry of a matrix is written m(row, column), both counted from 0."},
+    {"", R"(\w\[\w*:\w*\])",
+     "Parts of a vector are y.head<4>(), the first four, y.tail<3>(), the last three, and y.segment<3>(4), "
+     "three from the fifth on."},
+    {"", R"(\[[^\]]*;[^\]]*\])",
+     "A matrix is filled row by row:  Matrix3 m; m << a, b, c, d, e, f, g, h, i;  as in rotation_x."},
+    {"stray '\\\\|stray .*134", "",
+     "\\ is no division in C++: write /. An equation with a matrix is solved by m.inverse() * v, or "
+     "m.ldlt().solve(v)."},
+    {"", "π|θ|ω|φ|α|β|μ|τ|Δ|λ|γ", "Names are written in plain letters here: pi, theta, omega."},
+    {R"(numeric literal operator.*"i)", "", "The imaginary unit is Complex{0, 1}."},
+    {"", R"(\be ?\^)", "^ is no power in C++: e to the power x is std::exp(x)."},
+    {"", R"((\w+) ?\^ ?\(?-1)",
+     "^ is no power in C++: the inverse of a matrix is %1.inverse(), of a number 1 / %1."},
+    {R"('operator\^' \(operand types are '(?:const )?(?:an expression of vectors|Vector3)')",
+     R"(([\w.()]+) ?\^)",
+     "^ is no power in C++. The square of a vector's length is v.squaredNorm(), its length v.norm()."},
+    {"", R"(\b(?:Math|math|np|Mathf|M)[._](?:PI|pi|Pi)\b)", "pi is called pi here."},
+    {"", R"(^for \([^;:]* in )",
+     "In C++ a colon stands where other languages write in: for (const auto& each : list)."},
+    {"", R"(^(?:\} )?(?:else )?(if|while) [^(c!])",
+     "Round brackets belong round the condition, and no then: %1 (s >= 0) return 0;"},
+    {"does not name a type|expected", R"(^const (\w+) =)",
+     "A declaration needs a type: const double %1 = ..., or const auto %1."},
+    {"could not convert|cannot convert|conversion|invalid initialization", R"(return [^(){};]*,[^(){};]*;)",
+     "Of several values behind return only the last counts. Together they stand in braces: return {a, b};"},
+    {R"(expected ';')", R"(<<.*,.*[\w)]$)",
+     "At the end of this line a comma is missing: the list goes on in the next."},
+    {"",
+     R"(\b(Quaternion|Vector3|Matrix3)[.](Slerp|Lerp|Cross|Dot|Distance|Inverse|LookRotation|AngleAxis|Angle|Euler|Normalize|Project|Reflect|Rotate)\b)",
+     "%1.%2 is another engine's. Here you have Eigen's a.dot(b), a.cross(b), v.norm(), and this course's own "
+     "functions, such as product, inverse, exponential and logarithm."},
+    {R"('([a-z]\w*)' is not a member of '(Vector3|Matrix3|Quaternion)')", "",
+     "A type's own names begin with a capital letter: $2::Identity(), Vector3::Zero()."},
+    {R"(operator=' \(operand types are '(Vector3|Matrix3)' and '(?:int|double)')", "",
+     "That is a number. One of zeros is $1::Zero()."},
+    {R"(operator==' \(operand types are '(?:const )?(\w+)' and 'const char)", "\"(\\w+)\"",
+     "That is no text: its values are written with the type in front and without quotation marks, $1::%1."},
+    {R"(from '(?:const )?std::optional<)", "",
+     "It may find nothing, so what it gives is in a std::optional: its value is *found, or "
+     "found.value_or(something else)."},
+    {R"(operator<<.*Quaternion|operator,.*Quaternion)", "",
+     "The four numbers of a Quaternion are q.coeffs()."},
+    {R"(call to '(?:std::)?(a?sin|a?cos|a?tan|sqrt|exp|log|abs|floor|pow|cbrt)\((?:const )?(?:Vector3|an expression of vectors))",
+     "",
+     "std::$1 takes a number, and here it is given a vector: take its length, v.norm(), or one component."},
+    {R"(^expression cannot be used as a function)", R"((\w+[.]\w+)\(\))",
+     "%1 is a number and no function here: leave out the brackets ()."},
+    {R"(invalid types '.*' for array subscript)", "",
+     "This is one number: it has no entries to ask for with [ ]."},
     {"", R"(\*\*)", "** is no power in C++: write x * x, or std::pow(x, 3)."},
     {R"(^(?!expected '))", R"(\^)",
      "^ is no power in C++ but an operation on bits: write x * x, or std::pow(x, 3)."},
@@ -22,10 +81,10 @@ constexpr Rule rules[] = {
      "list) { ... }, if (...) { ... } else { ... }."},
     {"expected ';'|expected '\\)'|expected primary", R"(^for \([^;]*(;[^;]*)?\)|^for \([^;:]*,[^;]*,[^;]*\))",
      "The three parts in the head of a for stand between semicolons: for (int i = 0; i < n; ++i)."},
-    {"", R"(\bnew (Vector|Matrix|Quaternion|Complex))",
-     "No new here: it gives a pointer. A value is made by its type alone: Vector3(1, 2, 3)."},
-    {"", R"(\bstd[.]\w|\bstd:\w|\b(Math|math|np)[.]\w)",
-     "Names of the standard library are written std::sqrt, std::abs, ..., with two colons."},
+    {"", R"(\bnew ([A-Z]\w*))",
+     "No new here: it gives a pointer. A value is made by its type alone: %1(...) or %1{...}."},
+    {"", R"(\bstd[.]\w|\bstd:\w|\b(Math|math|np|Mathf)[.]\w)",
+     "Names of the standard library are written std::sqrt, std::cos, std::abs, ..., with two colons."},
     {"", R"((return|=) ?\[[^\]&=]*,[^\]]*\] ?;)", "A list of values stands in braces: {a, b, c}."},
     {R"(no match for 'operator<<' \(operand types are 'const )", "", says_const},
     {R"(call to 'Quaternion::Quaternion|call to constructor of 'Quaternion')", "",
@@ -51,7 +110,7 @@ constexpr Rule rules[] = {
     {R"('operator[-+*/].*Quaternion)", "",
      "Quaternions are multiplied with one another and nothing else. To add or scale, take their numbers: "
      "0.5 * q.coeffs()."},
-    {R"(invalid use of member function|invalid use of non-static member function|must be called|the name of a function|<unresolved overloaded function type>|cannot convert '.*::\w+' from type '.*\(.*\).*' to)",
+    {R"(wrong type argument to unary|cannot resolve overloaded function|invalid use of member function|invalid use of non-static member function|must be called|the name of a function|<unresolved overloaded function type>|cannot convert '.*::\w+' from type '.*\(.*\).*' to)",
      "", "The brackets () of a call are missing: d.norm is the function, d.norm() its value."},
     {R"(request for member '(\w+)' in '(.*)', which is of non-class type '(?:const )?(\w+))", "",
      "$2 is a number ($3) and has no member $1."},
@@ -121,8 +180,9 @@ constexpr Rule rules[] = {
      "0 is a number. A vector of zeros is Vector3::Zero()."},
     {R"(operator[+-].*('(?:const )?(?:Vector3|an expression of vectors)' and '(?:double|int)'|'(?:double|int)' and '(?:const )?(?:Vector3|an expression of vectors)'))",
      "",
-     "A number and a vector cannot be added: is one of them to be multiplied with a direction, or a norm "
-     "to be taken?"},
+     "A number and a vector cannot be added, nor a number and a matrix: is one of them to be multiplied with "
+     "a "
+     "direction or with Matrix3::Identity(), or a norm to be taken?"},
     {R"(operator/.*'(?:const )?(?:Vector3|an expression of vectors)' and '(?:const )?(?:Vector3|an expression of vectors))",
      "",
      "These two cannot be joined like this: a vector cannot be divided by a vector. By its length, "
@@ -144,14 +204,17 @@ constexpr Rule rules[] = {
 }  // namespace
 
 std::string by_signs(const std::string& message, const std::string& notes, const std::string& line) {
-    std::smatch found;
+    std::smatch found, in_line;
     for (const Rule& rule : rules) {
         const bool with_notes = std::string(rule.message).find("conflicting") != std::string::npos ||
                                 std::string(rule.message).find("argument") != std::string::npos;
         const std::string all = with_notes ? message + "\n" + notes : message;
-        if (rule.line[0] && !std::regex_search(line, std::regex(rule.line))) continue;
+        if (rule.line[0] && !std::regex_search(line, in_line, std::regex(rule.line))) continue;
         if (!std::regex_search(all, found, std::regex(rule.message))) continue;
-        return rule.message[0] ? found.format(rule.means) : std::string(rule.means);
+        std::string meaning = rule.message[0] ? found.format(rule.means) : std::string(rule.means);
+        for (std::size_t i = 1; rule.line[0] && i < in_line.size(); ++i)
+            meaning = replaced(meaning, "%" + std::to_string(i), in_line[i].str());
+        return meaning;
     }
     return "";
 }

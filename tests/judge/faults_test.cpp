@@ -3,6 +3,7 @@
 #include <cstdlib>
 #include "../check.hpp"
 #include "learner.hpp"
+#include "product.hpp"
 
 using namespace nutshell::judge;
 namespace fs = std::filesystem;
@@ -50,6 +51,19 @@ TEST_CASE("Faults: folders that cannot be written to, a tool that is missing, a 
     CHECK_THROWS_AS(run({"no-such-compiler"}, {.wall_seconds = 5}), MachineFault);
     CHECK(fault_in("/tmp/cc1.s: fatal error: error writing to /tmp/cc1.s: No space left on device") != "");
     CHECK(fault_in("newton.hpp:3:1: error: 'space' was not declared") == "");
+    CHECK(fault_in("g++: fatal error: Killed signal terminated program cc1plus") != "");
+    CHECK(fault_in("g++: fatal error: Terminated signal terminated program cc1plus") != "");
+    // of templates without end, most likely
+    CHECK(fault_in("g++: fatal error: CPU time limit exceeded signal terminated program cc1plus") == "");
+    for (const auto* ends : {"kill -9 $$", "kill -11 $$", "sleep 5"}) {
+        const Product compiler{
+            learner.folder / "product", {"sh", "-c", ends}, {.wall_seconds = 1, .cpu_seconds = 1}};
+        CHECK_THROWS_AS(compiler.make(), MachineFault);
+    }
+    const Product busy{learner.folder / "product",
+                       {"sh", "-c", "while :; do :; done"},
+                       {.wall_seconds = 60, .cpu_seconds = 1}};
+    CHECK(busy.make().out_of_time);
     setenv("TMPDIR", "/dev/null", 1);  // the compiler's own folder for temporary files
     ran = learner.judge({"check", "1.1"});
     unsetenv("TMPDIR");

@@ -61,8 +61,10 @@ void Herd::ask(const Rooms& rooms, const Chapter& chapter, const std::vector<Mar
     Sheet sheet;
     for (bool compiled = false; !compiled;) {
         write_headers(chapter, sources, folder, alive);
-        const Ran ran = sheets.compile_quietly(numbers_in(*this), sheet);
+        if (budget > 0 && seconds >= budget) return;
+        const Ran ran = sheets.compile_quietly(numbers_in(*this), sheet, budget > 0 ? budget - seconds : 0);
         compiled = ran.exit_code == 0;
+        seconds += ran.seconds;
         if (compiled) break;
         std::set<std::size_t> broken;
         static const std::regex place(R"(mutant:(\d+):\d+)");
@@ -71,6 +73,7 @@ void Herd::ask(const Rooms& rooms, const Chapter& chapter, const std::vector<Mar
             const std::string start = line.substr(0, 300);
             if (std::regex_search(start, found, place)) broken.insert(std::stoul(found[1]));
         }
+        if (broken.empty() && budget > 0) return;
         if (broken.empty())
             throw std::runtime_error("the mutants do not compile:\n" + ran.err.substr(0, 3000));
         for (const std::size_t id : broken) {
@@ -80,8 +83,11 @@ void Herd::ask(const Rooms& rooms, const Chapter& chapter, const std::vector<Mar
     }
     for (const auto& [number, all] : alive)
         for (const auto& [id, mutant] : all) {
+            if (budget > 0 && seconds >= budget + 1) break;  // what is compiled is also run
             setenv("NUTSHELL_MUTANT", std::to_string(id).c_str(), 1);
-            hear(number, by_id[id].second, sheets.ask(sheet, number));
+            const SheetAnswer answer = sheets.ask(sheet, number, budget > 0 ? 1 : 2);
+            seconds += answer.ran.seconds;
+            hear(number, by_id[id].second, answer);
         }
     unsetenv("NUTSHELL_MUTANT");
 }

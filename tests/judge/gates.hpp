@@ -17,6 +17,8 @@ namespace nutshell::judge {
 struct Herd {
     std::map<Number, std::vector<Mutant>> mutants;
     std::set<std::pair<Number, std::size_t>> do_not_compile = {};
+    double budget = 0;   ///< of processor time [s], to compile (quickly, not optimised) and to run; 0: any
+    double seconds = 0;  ///< used so far
 
     /// Compiles them in place of the bodies of `sources` (one for each of the chapter's headers), in
     /// rooms.work/`name`, and hands each one's answer to `hear`: its exercise, its place, its answer.

@@ -14,8 +14,11 @@ std::string fault_in(const std::string& said) {
         for (const auto* sign :
              {"No space left on device", "Read-only file system", "Disk quota exceeded",
               "cannot create temporary file", "Cannot create temporary file", "error writing to",
-              "virtual memory exhausted", "Cannot allocate memory", "Killed signal terminated program"})
-            if (contains(line, sign)) return line;
+              "virtual memory exhausted", "Cannot allocate memory", " signal terminated program"})
+            // templates without end, or brackets in brackets without end, are the learner's
+            if (contains(line, sign) && !contains(line, "CPU time limit exceeded") &&
+                !contains(line, "Segmentation fault"))
+                return line;
     return "";
 }
 

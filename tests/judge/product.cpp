@@ -1,4 +1,6 @@
 #include "product.hpp"
+#include <csignal>
+#include <cstring>
 #include <utility>
 #include "text.hpp"
 
@@ -33,6 +35,13 @@ Ran Product::make() const {
     Ran ran = run(command, limits);
     if (const std::string fault = fault_in(ran.err); ran.exit_code != 0 && !fault.empty())
         throw MachineFault("the compiler was let down by the machine: " + fault);
+    if (ran.out_of_time && ran.signal != SIGXCPU)
+        throw MachineFault(
+            "the compiler was given too little of the machine's time, and stopped. Is something else "
+            "at work here? Then check again");
+    if (ran.signal != 0 && !ran.out_of_time && !ran.printed_too_much)
+        throw MachineFault(std::string("the compiler was ended by a signal (") + strsignal(ran.signal) +
+                           "): that is no fault of an answer. Check again");
     return ran;
 }
 

@@ -28,6 +28,7 @@ struct Output {
     std::vector<double> exact;  ///< of a run: what it tends to as the step goes to zero
     bool quaternion = false;    ///< a rotation: q and -q are the same
     std::vector<double> frame;  ///< body to world, a matrix by columns, where the question has a body
+    bool matrix = false;        ///< nine numbers that are a matrix, by columns
 };
 /// All that an answer gave for the questions of an exercise.
 struct Record {

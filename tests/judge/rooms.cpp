@@ -49,21 +49,25 @@ void Paper::describe(double value) {
     record_.inputs.back().values.push_back({std::exchange(name_, ""), {value}});
 }
 
-void Paper::describe(const std::vector<double>& values) {
+void Paper::describe(const std::vector<double>& values, bool matrix) {
     std::string& text = record_.inputs.back().words;
-    text += " (";
-    for (std::size_t i = 0; i < values.size() && i < 6; ++i) text += (i ? ", " : "") + digits(values[i]);
-    text += values.size() > 6 ? ", ...)" : ")";
+    text += matrix ? " ((" : " (";
+    for (std::size_t i = 0; i < values.size() && i < (matrix ? 9 : 6); ++i)  // a matrix by rows
+        text += (i == 0                 ? ""
+                 : matrix && i % 3 == 0 ? "), ("
+                                        : ", ") +
+                digits(values[matrix ? i / 3 + 3 * (i % 3) : i]);
+    text += matrix ? "))" : values.size() > 6 ? ", ...)" : ")";
     record_.inputs.back().values.push_back({std::exchange(name_, ""), values});
 }
 
 void Paper::keep(const char* name, std::vector<double> values, const std::vector<double>& terms,
-                 std::vector<double> start, std::vector<double> exact, bool quaternion) {
+                 std::vector<double> start, std::vector<double> exact, bool quaternion, bool matrix) {
     double scale = 0;
     for (const double term : terms) scale = std::max(scale, std::abs(term));
     if (record_.inputs.empty()) begin_input();
     record_.outputs.push_back({name, record_.inputs.size() - 1, level_, std::move(values), scale,
-                               std::move(start), std::move(exact), quaternion, frame_});
+                               std::move(start), std::move(exact), quaternion, frame_, matrix});
 }
 
 }  // namespace nutshell::exercises

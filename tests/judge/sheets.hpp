@@ -65,21 +65,22 @@ class Sheets {
     /// @param beyond  false leaves out the questions that go beyond what a function must do
     Sheet compile(const std::vector<Number>& numbers, bool beyond = true) const;
     /// The same without words for a learner and without warnings.
-    Ran compile_quietly(const std::vector<Number>& numbers, Sheet& sheet) const;
-    SheetAnswer ask(const Sheet& sheet, Number number) const;
+    /// @param budget  seconds of processor time: not optimised, the essentials only; 0: any
+    Ran compile_quietly(const std::vector<Number>& numbers, Sheet& sheet, double budget) const;
+    SheetAnswer ask(const Sheet& sheet, Number number, unsigned cpu_seconds = 2) const;
     /// One exercise's sheet as a debugger likes it: unoptimised, with the names of everything.
     Sheet compile_for_debugging(Number number) const;
     /// Turns what the compiler says into words. Public for the chapter's program on the learner's engine.
     CompileProblem explain(const std::string& said, const std::vector<Number>& numbers) const;
 
     /// Makes the precompiled header if it is missing or out of date. @return whether it had to
-    static bool prepare(const Rooms& rooms);
+    static bool prepare(const Rooms& rooms, bool optimised = true);
 
     /// A file of the learner as they would name it: answers/01_newton/nutshell/newton.hpp
     std::string named(const std::string& file) const;
 
   private:
-    Product product(const std::vector<Number>& numbers, bool beyond) const;
+    Product product(const std::vector<Number>& numbers, bool beyond, bool optimised = true) const;
     CompileProblem cannot_be_called(const std::vector<std::string>& lines, const std::string& compiler,
                                     std::size_t at, const std::vector<Number>& numbers) const;
     std::string lost_include() const;

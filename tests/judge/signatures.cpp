@@ -12,18 +12,6 @@ using exercises::Output;
 
 namespace {
 
-/// All answers of the first name that is wrong, runs left out: their places.
-std::vector<std::size_t> of_first_wrong_name(const Evidence& evidence) {
-    const auto& outputs = evidence.reference.outputs;
-    std::string name;
-    for (const std::size_t i : evidence.wrong)
-        if (name.empty() && outputs[i].exact.empty()) name = outputs[i].name;
-    std::vector<std::size_t> places;
-    for (std::size_t i = 0; i < outputs.size(); ++i)
-        if (outputs[i].name == name) places.push_back(i);
-    return places;
-}
-
 /// The number c with yours = c * right for all numbers of one output; nothing if there is none.
 std::optional<double> factor(const Values& yours, const Values& right, double scale) {
     double up = 0, down = 0;
@@ -72,12 +60,32 @@ struct Scaled {
     double factor;
 };
 
-/// A factor that is a power of one of the arguments.
+/// A factor that is a power of one of the arguments, or its cosine or sine.
 std::optional<Finding> power_of_argument(const Evidence& evidence, const std::vector<Scaled>& all,
                                          const std::string& subject) {
     const auto& inputs = evidence.reference.inputs;
+    struct Kind {
+        const char *before, *after;
+        double power;  ///< its sign says whether it is multiplied or divided
+        double (*of)(double);
+    };
+    constexpr auto as_it_is = [](double x) { return std::abs(x); };
+    constexpr auto cosine = [](double x) { return std::cos(x); };
+    constexpr auto sine = [](double x) { return std::sin(x); };
+    constexpr Kind kinds[] = {{"", "", 1, as_it_is},
+                              {"", "", -1, as_it_is},
+                              {"", "^2", 2, as_it_is},
+                              {"", "^2", -2, as_it_is},
+                              {"", "^3", 3, as_it_is},
+                              {"", "^3", -3, as_it_is},
+                              {"", "^(1/2)", 0.5, as_it_is},
+                              {"", "^(1/2)", -0.5, as_it_is},
+                              {"the cosine of ", "", 1, cosine},
+                              {"the cosine of ", "", -1, cosine},
+                              {"the sine of ", "", 1, sine},
+                              {"the sine of ", "", -1, sine}};
     for (const auto& [name, unused] : inputs[all.front().input].values)
-        for (const double power : {1.0, -1.0, 2.0, -2.0, 3.0, -3.0, 0.5, -0.5}) {
+        for (const auto& [before, after, power, of] : kinds) {
             std::set<double> seen;
             std::optional<double> rest;  // a constant factor besides
             bool fits = true;
@@ -88,22 +96,20 @@ std::optional<Finding> power_of_argument(const Evidence& evidence, const std::ve
                                  [&, name = name](const auto& value) { return value.first == name; });
                 fits = fits && found != values.end() && found->second.size() == 1 && found->second[0] != 0;
                 if (!fits) break;
-                const double constant = c / std::pow(std::abs(found->second[0]), power);
+                const double constant = c / std::pow(of(found->second[0]), power);
                 fits = near(constant, rest.value_or(constant));
                 rest = constant;
                 if (fits) seen.insert(found->second[0]);
             }
             if (!fits || seen.size() < 2) continue;
-            const std::string to = std::abs(power) == 1     ? ""
-                                   : std::abs(power) == 0.5 ? "^(1/2)"
-                                                            : "^" + digits(std::abs(power), "%.0f");
+            const std::string what = before + name + after;
             return {
-                {"a wrong power of " + name,
-                 {subject + " is wrong by a factor of " + name + to + ": " + name + to + " is " +
+                {before[0] ? what + " left out or too much" : "a wrong power of " + name,
+                 {subject + " is wrong by a factor of " + what + ": " + what + " is " +
                   (power > 0 ? "multiplied in once too often, or left out below the line"
                              : "divided by once too often, or left out above it") +
                   (near(*rest, 1) ? "" : ", and a factor of " + digits(*rest, "%.4g") + " is wrong besides") +
-                  ". Check the units: metres, seconds, kilograms."}}};
+                  (before[0] ? "." : ". Check the units: metres, seconds, kilograms.")}}};
         }
     return std::nullopt;
 }
@@ -164,6 +170,17 @@ std::string capital(std::string text) {
     return text;
 }
 
+std::vector<std::size_t> of_first_wrong_name(const Evidence& evidence) {
+    const auto& outputs = evidence.reference.outputs;
+    std::string name;
+    for (const std::size_t i : evidence.wrong)
+        if (name.empty() && outputs[i].exact.empty()) name = outputs[i].name;
+    std::vector<std::size_t> places;
+    for (std::size_t i = 0; i < outputs.size(); ++i)
+        if (outputs[i].name == name) places.push_back(i);
+    return places;
+}
+
 std::optional<Finding> wrong_size(const Evidence& evidence) {
     for (const std::size_t i : evidence.wrong) {
         const auto& output = evidence.reference.outputs[i];
@@ -187,8 +204,8 @@ std::optional<Finding> not_finite(const Evidence& evidence) {
              {capital(without_unit(output.name)) + (nan ? " is NaN, which is no number" : " is infinite") +
                   ", born at the input below" +
                   (first > 0 ? "; everything asked before it was right." : ", the first one asked."),
-              nan ? "NaN comes from 0/0, from the root of a negative number, from infinity less infinity, or "
-                    "from a vector that was never given a value."
+              nan ? "NaN comes from 0/0, from the root of a negative number, from infinity less or over "
+                    "infinity, or from a vector that was never given a value."
                   : "That comes from a division by zero, or from numbers that grow without limit."}}};
 }
 
@@ -207,22 +224,6 @@ std::optional<Finding> nearly_right(const Evidence& evidence) {
               std::string(" to a part in ") + digits(1 / largest, "%.1g") +
               ", and the judge wants all digits of a double. Is there a float in it, a constant with few "
               "digits, or a little something added against a division by zero?"}}};
-}
-
-std::optional<Finding> nothing_changed(const Evidence& evidence) {
-    const auto& outputs = evidence.reference.outputs;
-    std::size_t changes = 0;
-    for (std::size_t i = 0; i < outputs.size(); ++i) {
-        if (outputs[i].start.empty() || apart(outputs[i], outputs[i].values, outputs[i].start) <= tolerance)
-            continue;
-        if (evidence.yours[i] != outputs[i].start) return std::nullopt;
-        ++changes;
-    }
-    if (changes == 0) return std::nullopt;
-    return {
-        {"nothing changes",
-         {"Everything comes out as it went in. Is a copy changed instead of the thing itself (a missing &), "
-          "or is what was computed never stored?"}}};
 }
 
 std::optional<Finding> one_factor(const Evidence& evidence) {

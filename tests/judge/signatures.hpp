@@ -23,7 +23,14 @@ struct Finding {
 std::optional<Finding> wrong_size(const Evidence& evidence);
 std::optional<Finding> not_finite(const Evidence& evidence);    ///< from the first wrong output on
 std::optional<Finding> nearly_right(const Evidence& evidence);  ///< to some digits only
+/// What should change, or comes from an argument, is still as it was handed in.
 std::optional<Finding> nothing_changed(const Evidence& evidence);
+/// Zero, or no change, where there should be some, and some where there should be none.
+std::optional<Finding> something_and_nothing_exchanged(const Evidence& evidence);
+std::optional<Finding> made_of_length_one(const Evidence& evidence);
+std::optional<Finding> right_direction(const Evidence& evidence);
+std::optional<Finding> exchanged_outputs(const Evidence& evidence);
+std::optional<Finding> wrong_sign_somewhere(const Evidence& evidence);
 std::optional<Finding> wrong_frame(const Evidence& evidence);
 std::optional<Finding> exchanged_components(const Evidence& evidence);
 std::optional<Finding> ignored_argument(const Evidence& evidence);
@@ -34,6 +41,10 @@ std::optional<Finding> wrong_somewhere(const Evidence& evidence);
 /// From the runs at h, h/2 and h/4: does the error against the exact solution shrink, and how fast?
 std::optional<Finding> wrong_order(const Evidence& evidence);
 
+/// Beside a formula that is not known: where it is right, and along or across which argument it is wrong.
+std::vector<std::string> where_and_along(const Evidence& evidence);
+/// All answers of the first name that is wrong, runs left out: their places.
+std::vector<std::size_t> of_first_wrong_name(const Evidence& evidence);
 /// What may be said beside any of them: which outputs, components and inputs are right.
 std::vector<std::string> what_is_right(const Evidence& evidence, bool explained);
 

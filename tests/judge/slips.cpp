@@ -1,5 +1,6 @@
 #include "slips.hpp"
 #include <algorithm>
+#include <regex>
 #include "desk.hpp"
 #include "gates.hpp"
 #include "text.hpp"
@@ -26,17 +27,65 @@ struct Own {
     }
 };
 
-/// Those of the bodies that pass.
-std::vector<Mutant> passing(const Rooms& rooms, const Chapter& chapter, const Own& own, Number number,
-                            const std::vector<Mutant>& mutants) {
-    if (mutants.empty()) return {};
-    Herd herd{{{number, mutants}}};
-    const exercises::Record reference = record_of(exercise_of(number).reference);
-    std::vector<Mutant> right;
-    herd.ask(rooms, chapter, own.sources, "slips", [&](Number, std::size_t i, const SheetAnswer& answer) {
-        if (passes(reference, answer)) right.push_back(mutants[i]);
-    });
+/// Processor time for all that is tried on one answer [s], the compiler's included.
+constexpr double all_seconds = 4;
+
+/// The first of the bodies that passes. What there is no time for is not tried.
+/// @param safe  so many, from the first on, compile
+std::optional<Mutant> first_passing(const Rooms& rooms, const Chapter& chapter, const Own& own, Number number,
+                                    const std::vector<Mutant>& mutants, std::size_t safe) try {
+    const exercises::Record reference = record_of(exercise_of(number).reference, false);
+    double seconds = 0;
+    std::optional<Mutant> right;
+    // as many at once as compile in most of the time, beside what the questions take
+    std::size_t count = std::clamp<std::size_t>(32000 / (own.body->text.size() + 1), 24, 120);
+    for (std::size_t from = 0; from < mutants.size() && !right;) {
+        const std::size_t to = std::min(from < safe ? safe : mutants.size(), from + count);
+        const auto at = [&](std::size_t i) { return mutants.begin() + static_cast<std::ptrdiff_t>(i); };
+        Herd herd{{{number, {at(from), at(to)}}}, {}, all_seconds - seconds};
+        herd.ask(rooms, chapter, own.sources, "slips", [&](Number, std::size_t i, const SheetAnswer& answer) {
+            if (!right && passes(reference, answer)) right = mutants[from + i];
+        });
+        seconds += herd.seconds;
+        if (all_seconds - seconds < herd.seconds / 2) break;  // no time for one more
+        from = to;
+    }
     return right;
+} catch (const MachineFault&) {
+    return std::nullopt;  // it would have been a help only
+}
+
+/// The slips of the pen that learners make, the likeliest first; and how many of them surely compile.
+std::pair<std::vector<Mutant>, std::size_t> likely_slips(const Own& own) {
+    auto all = slips_of(own.body->text, own.first_line);
+    for (auto& more : more_slips_of(own.body->text, own.first_line)) all.push_back(std::move(more));
+    const auto has = [](const std::string& name, std::initializer_list<const char*> parts) {
+        return std::any_of(parts.begin(), parts.end(),
+                           [&](const char* part) { return contains(name, part); });
+    };
+    std::erase_if(all, [&](const Mutant& each) {
+        return has(each.name, {"0.999", "at 0.8", "at 1.25", "an int for", "expm1", "cbrt", "log10", "Ones",
+                               "to eval", "< 0.001", "statements "}) &&
+               !starts_with(each.name, "statements in");
+    });
+    const bool fills = contains(own.body->text, "<<");  // a matrix, entry by entry
+    const auto rank = [&](const Mutant& each) {
+        if (has(each.name, {"statement"})) return 5;
+        if (has(each.name, {"to twice it", "to half of it"})) return 0;
+        if (has(each.name, {"no minus there"})) return fills ? 1 : 3;
+        if (has(each.name, {"a factor too many", "- to /", "/ to -", "brackets", " to 0", "+ 1"})) return 3;
+        if (has(each.name, {"<", ">", "==", "!=", "&&", "||", "*= to", "/= to"})) return 4;
+        // what may not compile, and then costs the time of all that is compiled with it, comes from 2 on
+        return has(each.name, {"half of what", "twice what", "log to", "exp to", "* to /", "/ to *", "side",
+                               "handed to", "before it is read", "norm to", "quaredNorm to"})
+                   ? 2
+                   : 1;
+    };
+    std::stable_sort(all.begin(), all.end(),
+                     [&](const Mutant& a, const Mutant& b) { return rank(a) < rank(b); });
+    const auto safe =
+        std::count_if(all.begin(), all.end(), [&](const Mutant& each) { return rank(each) < 2; });
+    return {all, static_cast<std::size_t>(safe)};
 }
 
 /// Mutants in which the expression behind `auto name =` is evaluated at once.
@@ -61,7 +110,9 @@ std::vector<Mutant> evaluated_autos(const std::string& body) {
 }
 
 /// What is wrong in the line, by the change that mends it.
-std::string what_of(const std::string& change) {
+std::string what_of(std::string change) {
+    static const std::regex count(R"(, \d+$)");  // of changes of this name
+    change = std::regex_replace(change, count, "");
     const auto is = [&](const char* start) { return starts_with(change, start); };
     if (is("no statement")) return "it is one statement too many, as far as the numbers tell";
     if (is("statements ")) return "it stands in the wrong place among the statements";
@@ -110,29 +161,26 @@ std::optional<Clue> dangling_auto(const Rooms& rooms, const Chapter& chapter, Nu
         for (std::size_t i = mutants.size() - 1; i-- > 0;) all.body = evaluated_autos(all.body)[i].body;
         mutants.push_back({"all", all.body, 0});
     }
-    for (const Mutant& right : passing(rooms, chapter, own, number, mutants))
+    if (const auto right = first_passing(rooms, chapter, own, number, mutants, mutants.size()))
         return {
             {"an expression kept by auto",
-             "The formula is right. But `auto " + right.name +
+             "The formula is right. But `auto " + right->name +
                  "` keeps the expression, not its value: what it was made of is gone, or has changed, when "
                  "the value is needed. Write the type: Vector3 " +
-                 right.name + "."}};
+                 right->name + "."}};
     return std::nullopt;
 }
 
 std::optional<std::string> one_slip_away(const Rooms& rooms, const Chapter& chapter, Number number) {
     const Own own(rooms, chapter, number);
     if (!own.body) return std::nullopt;
-    auto all = slips_of(own.body->text, own.first_line);
-    for (auto& more : more_slips_of(own.body->text, own.first_line)) all.push_back(std::move(more));
-    for (const Mutant& right : passing(rooms, chapter, own, number, all)) {
-        const auto lines = lines_of(own.body->text);
-        const auto before = std::count(own.body->text.begin(),
-                                       own.body->text.begin() + static_cast<std::ptrdiff_t>(right.at), '\n');
-        const std::string line = trimmed(lines[static_cast<std::size_t>(before)]);
-        return "It is one slip away from right, in the line  " + line + "  : " + what_of(right.name) + ".";
-    }
-    return std::nullopt;
+    const auto [slips, safe] = likely_slips(own);
+    const auto right = first_passing(rooms, chapter, own, number, slips, safe);
+    if (!right) return std::nullopt;
+    const auto before = std::count(own.body->text.begin(),
+                                   own.body->text.begin() + static_cast<std::ptrdiff_t>(right->at), '\n');
+    const std::string line = trimmed(lines_of(own.body->text)[static_cast<std::size_t>(before)]);
+    return "It is one slip away from right, in the line  " + line + "  : " + what_of(right->name) + ".";
 }
 
 }  // namespace nutshell::judge

@@ -65,8 +65,9 @@ void write_junit(const std::string& file, const std::vector<std::pair<Chapter, s
 
 /// Whether its numbers told nothing certain: then it is worth the time to try small changes.
 bool is_unnamed(const Verdict& verdict) {
-    for (const auto* name : {"wrong formula", "wrong order", "another scheme", "right only where",
-                             "wrong where", "as wrong for", "right in one case"})
+    for (const auto* name :
+         {"wrong formula", "wrong order", "another scheme", "right only where", "wrong where", "wrong in",
+          "as wrong for", "right in one case", "right direction", "a wrong sign for some"})
         if (starts_with(verdict.name, std::string("wrong: ") + name)) return true;
     return false;
 }
