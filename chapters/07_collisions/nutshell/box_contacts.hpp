@@ -2,7 +2,7 @@
 // points, because a box rests on a face, not on a point.
 #pragma once
 #include <array>
-#include <nutshell/impulse.hpp>
+#include <nutshell/contact.hpp>
 #include <nutshell/shapes.hpp>
 
 namespace nutshell {

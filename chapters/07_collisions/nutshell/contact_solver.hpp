@@ -1,7 +1,7 @@
 // Chapter 7 · The contact solver: many contacts at once, by going round them again and again.
 // Each is given the impulse that it lacks, and never pulls.
 #pragma once
-#include <nutshell/impulse.hpp>
+#include <nutshell/contact.hpp>
 
 namespace nutshell {
 

@@ -2,36 +2,11 @@
 // its levers, their angular momenta. Restitution says how much, friction which way.
 #pragma once
 #include <Eigen/LU>
-#include <nutshell/body.hpp>
-#include <nutshell/impacts.hpp>
+#include <nutshell/contact.hpp>
 #include <nutshell/method.hpp>
 #include <optional>
 
 namespace nutshell {
-
-/// A body that nothing moves: a wall, the floor, the earth.
-inline Body immovable_body(const Vector3& position = Vector3::Zero()) {
-    Body wall;
-    wall.mass = immovable, wall.inertia = Vector3::Constant(immovable), wall.position = position;
-    return wall;
-}
-
-// [contact]
-/// Where two bodies a and b touch.
-struct Contact {
-    Vector3 point;          ///< [m], world frame
-    Vector3 normal;         ///< unit vector, from a to b, world axes
-    double separation = 0;  ///< gap along the normal [m]; negative: how deep they overlap
-    int feature = 0;        ///< which parts of the shapes touch: the same from step to step
-};
-
-/// Velocity [m/s] of b's point of contact, seen from a's. Eq. (7.d): eq. (66) with eq. (59*).
-inline Vector3 contact_velocity(const Body& a, const Body& b, const Contact& at) {
-    const Vector3 of_a = velocity(a) + angular_velocity(a).cross(at.point - a.position);
-    const Vector3 of_b = velocity(b) + angular_velocity(b).cross(at.point - b.position);
-    return of_b - of_a;
-}
-// [/contact]
 
 // [apply_impulse]
 /// The impulse J [N s], world axes, on b at the point of contact, and its opposite on a: what one
@@ -181,12 +156,6 @@ inline constexpr std::tuple impact_laws{laws::clamped, laws::echo};
 // [/law]
 
 // [collide_bodies]
-/// What two surfaces do when they meet.
-struct Surface {
-    double restitution = 0;  ///< e, 0 to 1
-    double friction = 0;     ///< mu, not negative
-};
-
 /// Collide: two bodies touch, and one impulse changes all four momenta. Eqs. (67*)-(69*).
 inline void collide(Body& a, Body& b, const Contact& at, const Surface& surface,
                     const ImpactLaw& law = laws::clamped) {
@@ -196,16 +165,6 @@ inline void collide(Body& a, Body& b, const Contact& at, const Surface& surface,
     apply_impulse(a, b, at, law.impulse(K, u, n, surface.restitution, surface.friction));
 }
 // [/collide_bodies]
-
-/// Gives the surface back. @throws std::invalid_argument if e is not within 0 and 1, mu negative
-/// or not finite
-inline Surface checked(const Surface& surface) {
-    checked_restitution(surface.restitution);
-    require(std::isfinite(surface.friction) && surface.friction >= 0,
-            "a coefficient of friction must be finite and not negative, not " +
-                digits(surface.friction));
-    return surface;
-}
 
 /// Throws std::invalid_argument if these two bodies cannot collide here: a number is not finite,
 /// a mass or a moment not greater than zero (both may be `immovable`), the normal no unit vector,

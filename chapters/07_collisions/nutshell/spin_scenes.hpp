@@ -1,6 +1,7 @@
 // Chapter 7 · Scenes of one impact with spin: a ball on the floor, a rod on its end.
 #pragma once
 #include <nutshell/contacts.hpp>
+#include <nutshell/impulse.hpp>
 #include <nutshell/need.hpp>
 
 namespace nutshell {
