@@ -26,9 +26,9 @@ Area shoelace(const std::vector<Vector3>& p) {
     return part;
 }
 
-/// Whether some mechanism of the right half gains energy: the crown sinks, hinges at the outer end of a joint,
-/// the inner end of a lower one, the outer end of a still lower one. (The kinematic theorem of limit analysis.)
-/// Knows nothing of forces.
+/// Whether some mechanism of the right half gains energy: the crown sinks, hinges at the outer end of a
+/// joint, the inner end of a lower one, the outer end of a still lower one. (The kinematic theorem of limit
+/// analysis.) Knows nothing of forces.
 bool some_mechanism_falls(const Arch& arch) {
     std::vector<double> angles;
     for (int k = 0; k <= arch.stones; ++k) {
@@ -108,8 +108,8 @@ Run run(const Arch& arch) {
 }  // namespace
 
 TEST_CASE("Statics: with many stones the least thickness is Milankovitch's 0.1075 of the radius") {
-    // M. Milankovitch, Z. Math. Phys. 55 (1907) 1: 0.1075 of the mean radius. (Heyman's 0.106 puts the weight on
-    // the middle line.) His hinge is 54.5 degrees from the crown.
+    // M. Milankovitch, Z. Math. Phys. 55 (1907) 1: 0.1075 of the mean radius. (Heyman's 0.106 puts the
+    // weight on the middle line.) His hinge is 54.5 degrees from the crown.
     Arch arch;
     arch.stones = 2001;
     arch.thickness = least_thickness(arch);
@@ -175,8 +175,8 @@ TEST_CASE("Statics: the stones of the scene weigh and lie as the joints say") {
 }
 
 TEST_CASE("The engine's arch stands above statics' thickness and falls below it, nearer with smaller steps") {
-    // What the engine lacks of stiffness is the square of the sub-step: contacts sink in by g over the square of
-    // their frequency. Measured: it needs 6 % more than statics with 4 sub-steps, 1.3 % with 16.
+    // What the engine lacks of stiffness is the square of the sub-step: contacts sink in by g over the
+    // square of their frequency. Measured: it needs 6 % more than statics with 4 sub-steps, 1.3 % with 16.
     Arch arch;
     const double statics = least_thickness(arch);
     for (const auto& [sub_steps, more] : {std::pair{4, 1.1}, {16, 1.03}}) {

@@ -168,8 +168,9 @@ void check_rooms_of_hulls(std::uint64_t from, std::uint64_t to, int sub_steps) {
 }  // namespace
 
 TEST_CASE("Boxes as hulls have the contacts of boxes: gap, normal, points") {
-    // Round-off: sums of a few products of numbers around 1. Where two directions are equally good but for the
-    // slack, the two codes may take different ones: then their gaps differ by no more than the slack allows.
+    // Round-off: sums of a few products of numbers around 1. Where two directions are equally good but for
+    // the slack, the two codes may take different ones: then their gaps differ by no more than the slack
+    // allows.
     Chance chance(41);
     int alike = 0, others = 0, clamped = 0, edges = 0;
     for (int i = 0; i < 5000; ++i) {
@@ -478,7 +479,7 @@ TEST_CASE("10^2 rooms of hulls, boxes and spheres by chance: no NaN, nobody esca
 }
 
 TEST_CASE("10^4 rooms of hulls, boxes and spheres by chance", "[.million]") {
-    // With four sub-steps two of these gain energy: a thin tetrahedron that spins at 28/s, thrown from the floor
-    // at a wall, turns by too much in a sub-step.
+    // With four sub-steps two of these gain energy: a thin tetrahedron that spins at 28/s, thrown from the
+    // floor at a wall, turns by too much in a sub-step.
     check_rooms_of_hulls(101, 10000, 8);
 }
