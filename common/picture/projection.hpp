@@ -17,15 +17,16 @@ struct Projection {
 /// @param eye, near, far  in the frame's units
 Projection projection(const View& view, const Eigen::Vector3d& eye, double near, double far);
 
-/// Between which depths before the eye things lie, in the frame's units; nothing lies between infinity and zero.
+/// Between which depths before the eye things lie, in the frame's units; nothing lies between infinity
+/// and zero.
 struct Depths {
     double nearest, farthest;
 };
 Depths depths_of(const std::vector<Extent>& things, const Frame& frame, const View& view,
                  const Eigen::Vector3d& eye);
 
-/// How the sun sees what casts shadows: a map from the frame to the cube from 0 to 1, and how long the cube's
-/// sides are in the frame.
+/// How the sun sees what casts shadows: a map from the frame to the cube from 0 to 1, and how long the
+/// cube's sides are in the frame.
 struct SunView {
     Eigen::Matrix4d matrix = Eigen::Matrix4d::Identity();
     Eigen::Vector3d sides = Eigen::Vector3d::Ones();

@@ -13,8 +13,8 @@ struct Area {
     Vector3 centre;
 };
 
-/// Area and centre of what lies between two angles from the vertical of a ring with straight sides, by the
-/// shoelace formula. `left` and `right` are joints; the middle of a stone is a corner like any other.
+/// Area and centre of what lies between two angles from the vertical of a ring with straight sides, by
+/// the shoelace formula. `left` and `right` are joints; the middle of a stone is a corner like any other.
 Area shoelace(const std::vector<Vector3>& p) {
     Area part{0, Vector3::Zero()};
     for (std::size_t i = 0; i < p.size(); ++i) {
@@ -27,8 +27,8 @@ Area shoelace(const std::vector<Vector3>& p) {
 }
 
 /// Whether some mechanism of the right half gains energy: the crown sinks, hinges at the outer end of a
-/// joint, the inner end of a lower one, the outer end of a still lower one. (The kinematic theorem of limit
-/// analysis.) Knows nothing of forces.
+/// joint, the inner end of a lower one, the outer end of a still lower one. (The kinematic theorem of
+/// limit analysis.) Knows nothing of forces.
 bool some_mechanism_falls(const Arch& arch) {
     std::vector<double> angles;
     for (int k = 0; k <= arch.stones; ++k) {
@@ -176,7 +176,8 @@ TEST_CASE("Statics: the stones of the scene weigh and lie as the joints say") {
 
 TEST_CASE("The engine's arch stands above statics' thickness and falls below it, nearer with smaller steps") {
     // What the engine lacks of stiffness is the square of the sub-step: contacts sink in by g over the
-    // square of their frequency. Measured: it needs 6 % more than statics with 4 sub-steps, 1.3 % with 16.
+    // square of their frequency. Measured: it needs 6 % more than statics with 4 sub-steps, 1.3 % with
+    // 16.
     Arch arch;
     const double statics = least_thickness(arch);
     for (const auto& [sub_steps, more] : {std::pair{4, 1.1}, {16, 1.03}}) {

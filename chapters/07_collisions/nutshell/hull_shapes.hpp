@@ -1,7 +1,7 @@
 // Chapter 7 · Hulls out of meshes: a stone as it is cut becomes a body and its shape.
 #pragma once
-#include <nutshell/joined.hpp>
 #include <nutshell/hull.hpp>
+#include <nutshell/joined.hpp>
 #include <nutshell/mesh.hpp>
 
 namespace nutshell {
