@@ -31,10 +31,11 @@ std::optional<Finding> ignored_argument(const Evidence& evidence) {
                 if (outputs[i].name != outputs[j].name ||
                     outputs[i].values.size() != outputs[j].values.size())
                     continue;
-                const auto is_zero = [](double value) { return value == 0; };
-                if (std::all_of(evidence.yours[i].begin(), evidence.yours[i].end(), is_zero) &&
-                    std::all_of(evidence.yours[j].begin(), evidence.yours[j].end(), is_zero))
-                    continue;  // nothing makes a difference where nothing comes out
+                const auto nothing = [&](std::size_t place) {
+                    const Values none(outputs[place].values.size(), 0);
+                    return evidence.yours[place] == none || evidence.yours[place] == outputs[place].start;
+                };
+                if (nothing(i) && nothing(j)) continue;  // where nothing happens nothing makes a difference
                 const bool should = apart(outputs[i], outputs[i].values, outputs[j].values) > 1e-6,
                            does = apart(outputs[i], evidence.yours[i], evidence.yours[j]) > 1e-12;
                 if (does || should) (does ? used : ignored).push_back(differ[0]);
@@ -157,7 +158,7 @@ std::optional<Finding> wrong_somewhere(const Evidence& evidence) {
             return {{"right only where " + name + " is zero",
                      {"Your answer is right where " + name + " is zero or next to nothing (up to " +
                       digits(good.largest, "%.1g") + "), and nowhere else."}}};
-        if (bad.least > good.largest && (many || bad.least > 100 * good.largest))
+        if (bad.zeros == 0 && bad.least > good.largest && (many || bad.least > 100 * good.largest))
             return {{"wrong where " + name + " is large",
                      {also + size + " is large: right up to " + digits(good.largest, "%.4g") +
                       ", wrong from " + digits(bad.least, "%.4g") + " on."}}};
@@ -204,7 +205,10 @@ std::vector<std::string> what_is_right(const Evidence& evidence, bool explained)
     for (auto& part : parts(size, components)) words.push_back(std::move(part));
     const auto where = explained ? std::vector<std::string>{} : where_and_along(evidence);
     words.insert(words.end(), where.begin(), where.end());
-    if (!explained && where.empty() && wrong_inputs.size() < inputs.size())
+    if (wrong_inputs.size() == 1 && inputs.size() > 2)
+        words.push_back("It is wrong for one of " + std::to_string(inputs.size()) +
+                        " inputs only, the one below.");
+    else if (!explained && where.empty() && wrong_inputs.size() < inputs.size())
         words.push_back("It is right for " + std::to_string(inputs.size() - wrong_inputs.size()) + " of " +
                         std::to_string(inputs.size()) + " inputs: what is special about " +
                         (2 * wrong_inputs.size() > inputs.size() ? "those?" : "the one below?"));

@@ -237,7 +237,8 @@ CompileProblem Sheets::explain(const std::string& said, const std::vector<Number
             problem.message =
                 "Something here needs the line #include " + include + " at the top of the file.";
     const std::string notes = notes_after(lines, error.at);
-    if (problem.message.empty() && contains(problem.compiler, "operator"))
+    if (problem.message.empty() && contains(problem.compiler, "operator") &&
+        !contains(problem.compiler, "function"))
         problem.message = side_by_side(lines, error, bare_code(problem.line));
     if (problem.message.empty() && problem.number)
         problem.message = meaning_in_line(problem.compiler, notes, bare_code(problem.line),

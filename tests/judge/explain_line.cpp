@@ -93,10 +93,6 @@ std::string meaning_in_line(const std::string& message, const std::string& notes
     if (std::regex_search(message, found, unknown)) {
         std::string name;
         for (std::size_t i = 1; i < found.size() && name.empty(); ++i) name = found[i].str();
-        static const std::regex qualified(R"(did you mean '(\w+::\w+)')");
-        std::smatch better;
-        if (std::regex_search(message, better, qualified) && !starts_with(better[1].str(), "std"))
-            return "Nothing is called " + name + " by itself: write " + better[1].str() + ".";
         if (!contains(message, "of 'std'")) return unknown_name(name, reach, line, message);
     }
     return "";

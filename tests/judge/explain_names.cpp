@@ -164,6 +164,9 @@ std::string unknown_name(const std::string& name, const Reach& reach, const std:
                                  : "double " + name + " = ..., or Vector3 " + name + " = ...");
     if (const std::string other = in(dictionary, name); !other.empty())
         return "Nothing is called " + name + " here. C++ has " + other + ".";
+    static const std::regex qualified(R"(did you mean '(\w+::\w+)')");
+    if (std::regex_search(message, found, qualified) && !starts_with(found[1].str(), "std"))
+        return "Nothing is called " + name + " by itself: write " + found[1].str() + ".";
     for (const auto& member : reach.members)
         if (member.substr(member.find('.') + 1) == name)
             return "Nothing is called " + name + " by itself. Do you mean " + member + "?";
@@ -207,7 +210,8 @@ std::optional<std::string> unknown_member(const std::string& message, const Reac
     static const std::regex suggested(R"(did you mean '(\w+)')");
     if (near_by.empty() && std::regex_search(message, found, suggested)) near_by = found[1].str();
     if (own != reach.of_type.end())
-        for (const auto& each : own->second) there_are += (there_are.empty() ? "" : ", ") + each;
+        for (std::size_t i = 0; i < std::min<std::size_t>(own->second.size(), 8); ++i)
+            there_are += (i ? ", " : "") + own->second[i];
     const bool function = std::find(reach.names.begin(), reach.names.end(), name) != reach.names.end();
     return "A " + type + " has no member called " + name +
            (function            ? ". There is a function of this name: " + name + "(...)."

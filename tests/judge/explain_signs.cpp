@@ -43,7 +43,7 @@ constexpr Rule rules[] = {
     {"", R"(\b(?:Math|math|np|Mathf|M)[._](?:PI|pi|Pi)\b)", "pi is called pi here."},
     {"", R"(^for \([^;:]* in )",
      "In C++ a colon stands where other languages write in: for (const auto& each : list)."},
-    {"", R"(^(?:\} )?(?:else )?(if|while) [^(c!])",
+    {"", R"(^(?:\} )?(?:else )?(if|while) [^(c!].*[^:]$)",
      "Round brackets belong round the condition, and no then: %1 (s >= 0) return 0;"},
     {"does not name a type|expected", R"(^const (\w+) =)",
      "A declaration needs a type: const double %1 = ..., or const auto %1."},

@@ -71,7 +71,7 @@ std::pair<std::vector<Mutant>, std::size_t> likely_slips(const Own& own) {
     const bool fills = contains(own.body->text, "<<");  // a matrix, entry by entry
     const auto rank = [&](const Mutant& each) {
         if (has(each.name, {"statement"})) return 5;
-        if (has(each.name, {"to twice it", "to half of it"})) return 0;
+        if (has(each.name, {"to twice it", "to half of it", "handed to product"})) return 0;
         if (has(each.name, {"no minus there"})) return fills ? 1 : 3;
         if (has(each.name, {"a factor too many", "- to /", "/ to -", "brackets", " to 0", "+ 1"})) return 3;
         if (has(each.name, {"<", ">", "==", "!=", "&&", "||", "*= to", "/= to"})) return 4;

@@ -91,6 +91,12 @@ struct Grown {
                   "times t.",
                   [](double y, double rate, double t) -> double {
                       return std::exp(y * rate * t);
+                  }},
+                 {"powers of ten", "classic: the other logarithm's base",
+                  "Everything fades too fast.",
+                  "You count in powers of ten. The base is e: std::exp(rate * t).",
+                  [](double y, double rate, double t) -> double {
+                      return y * std::pow(10, rate * t);
                   }}},
             .alternatives = {{"a power of e",
                               [](double y, double rate, double t) -> double {

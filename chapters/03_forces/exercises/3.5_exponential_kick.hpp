@@ -175,6 +175,16 @@ struct ExponentialKick {
                       state.position += state.velocity * dt * phi_1(x) + a * dt * dt * phi_2(x);
                       state.velocity = state.velocity * std::exp(-x) + a * dt * phi_1(x);
                       return state;
+                  }},
+                 {"dt once in the fall", "classic: m/s^2 times s is no way",
+                  "Things fall too far in short steps.",
+                  "The way that an acceleration adds is dt^2 phi_2(-x) times it: dt twice.",
+                  [](auto state, const auto& forces, double t, double dt) {
+                      const double x = forces.drag * dt / state.mass;
+                      const Vector3 a = force_at_rest(state, forces, t) / state.mass;
+                      state.position += state.velocity * dt * phi_1(-x) + a * dt * phi_2(-x);
+                      state.velocity = state.velocity * std::exp(-x) + a * dt * phi_1(-x);
+                      return state;
                   }}},
             .alternatives = {{"through the terminal velocity",
                               [](auto state, const auto& forces, double t, double dt) {

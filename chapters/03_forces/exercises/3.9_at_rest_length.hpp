@@ -22,7 +22,7 @@ struct AtRestLength {
         ask_one(paper, answer, a, far, 1.6, 0.7, 0);  // b is held
         ask_one(paper, answer, a, far, 1.6, 0, 0);    // both are
         ask_one(paper, answer, a, far, 0, 0.7, 1.9);
-        ask_one(paper, answer, a, a + Vector3(6e-5, 0, -8e-5), 1.6, 0.7, 1.9);  // nearly meet
+        ask_one(paper, answer, a, a + Vector3(4e-6, 0, -3e-6), 1.6, 0.7, 1.9);  // nearly meet
         ask_one(paper, answer, a, a, 1.6, 0.7, 1.9);                            // meet
         ask_one(paper, answer, a, far, 1.6, 2e-5, 3e-5);                        // both heavy
     }
@@ -176,6 +176,19 @@ struct AtRestLength {
                       if (way.norm() == 0 || both == 0) return {a, b};
                       const Vector3 all = (way.norm() - rest_length) / both * way;
                       return {a + inverse_mass_a * all, b - inverse_mass_b * all};
+                  }},
+                 {"divided by the rest length", "classic",
+                  "Springs shorter than nothing explode.",
+                  "You take what is too much in parts of the rest length. Of the length that is "
+                  "there it is "
+                  "1 - rest_length / length.",
+                  [](const Vector3& a, const Vector3& b, double rest_length,
+                     double inverse_mass_a, double inverse_mass_b) -> Ends {
+                      const Vector3 way = b - a;
+                      const double both = inverse_mass_a + inverse_mass_b;
+                      if (way.norm() == 0 || both == 0) return {a, b};
+                      const Vector3 all = (way.norm() / rest_length - 1) * way;
+                      return {a + inverse_mass_a / both * all, b - inverse_mass_b / both * all};
                   }}},
             .alternatives = {{"by the centre of mass",
                               [](const Vector3& a, const Vector3& b, double rest_length,

@@ -127,9 +127,8 @@ struct Logarithm {
                   "For w below zero you turn by more than half a turn: -q is the same pose, the "
                   "shorter way. And near 1 the cosine has forgotten the angle: use atan2.",
                   [](const Quaternion& q) -> Vector3 {
-                      const double s = std::sqrt(1 - q.w() * q.w());
-                      if (s < 1e-8) return Vector3::Zero();
-                      return 2 * std::acos(q.w()) / s * q.vec();
+                      if (q.vec().norm() == 0) return Vector3::Zero();
+                      return 2 * std::acos(q.w()) * q.vec().normalized();
                   }},
                  {"the arc sine", "classic: right for a length of one only",
                   "Poses that have lost a little of their length turn too far.",

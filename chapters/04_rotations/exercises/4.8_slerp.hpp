@@ -21,6 +21,15 @@ struct Slerp {
                 const Quaternion q = answer(from, to, part);
                 paper.output("the pose", q, 1.0);
             }
+        // two poses that are 1.4e-5 rad apart: a slow camera
+        const Vector3 way(1.2e-5, -6e-6, 4e-6);
+        const Quaternion close = (four_vector(way / 2, 1) * a).normalized();
+        for (const double part : {0.25, 0.6}) {
+            paper.input("from", a, "to", close, "part", part);
+            const Quaternion turn = answer(a, close, part) * a.conjugate();
+            const Vector3 made = (turn.w() < 0 ? -2 : 2) * turn.vec();
+            paper.output("the turn made [rad]", made, Vector3(part * way));
+        }
     }
 
 #ifndef NUTSHELL_SHEET

@@ -152,6 +152,18 @@ struct FallsThroughZero {
                       if (std::min(one, two) >= 0) return std::min(one, two);
                       if (std::max(one, two) >= 0) return std::max(one, two);
                       return {};
+                  }},
+                 {"at rest under a pull", "classic: b < 0 taken for all that closes in",
+                  "What lies still falls through.",
+                  "What touches, at rest, and is pulled in (b = 0, a < 0) meets at once too.",
+                  [](double a, double b, double c) -> std::optional<double> {
+                      if (c <= 0 && b < 0) return 0.0;
+                      const double square = b * b - 4 * a * c;
+                      if (!(square >= 0)) return {};
+                      const double q = -(b + std::copysign(std::sqrt(square), b)) / 2;
+                      if (a < 0) return q > 0 ? c / q : q / a;
+                      if (b < 0) return c / q;
+                      return {};
                   }}},
             .alternatives = {{"root by root",
                               [](double a, double b, double c) -> std::optional<double> {

@@ -149,6 +149,17 @@ struct BounceOffFloor {
                       if (body.position.y() > scene.ball.radius) return;
                       body.position.y() = scene.ball.radius;
                       if (body.momentum.y() < 0) body.momentum.y() *= -scene.restitution;
+                  }},
+                 {"what just touches is let through", "classic: <= for <",
+                  "Now and then a bounce is late.",
+                  "What just touches (depth 0) and comes down bounces too: it is too early only "
+                  "for a depth < 0.",
+                  [](S scene, P body) {
+                      const double depth = depth_of(scene, body);
+                      if (depth <= 0) return;
+                      Particle earth{immovable};
+                      collide(earth, body, scene.floor.normal, scene.restitution);
+                      body.position += depth * scene.floor.normal;
                   }}},
             .alternatives = {{"by hand",
                               [](S scene, P body) {

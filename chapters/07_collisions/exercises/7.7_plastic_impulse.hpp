@@ -26,6 +26,7 @@ struct PlasticImpulse {
         ask_one(paper, answer, K, u, n, 0.1);
         ask_one(paper, answer, K, u, n, 0.9);
         ask_one(paper, answer, pulls, {-3, -2.2, 0.1}, up, 0.4);
+        ask_one(paper, answer, pulls, {-3, -2.2, 0.1}, up, 3);  // in the cone of that pull, too
         // just inside and just outside of the cone; inside of a pyramid in both cases
         const Vector3 stick(0.3, 1, 0.4), came = -K * stick;
         ask_one(paper, answer, K, came, up, 0.51);
@@ -124,6 +125,25 @@ struct PlasticImpulse {
                       const Vector3 stick = -K.inverse() * u;
                       const double normal = n.dot(stick);
                       if (normal > 0 && stick.norm() <= mu * normal) return stick;
+                      return sliding_impulse(K, u, n, mu).value_or(smooth_impulse(K, u, n, 0));
+                  }},
+                 {"mu on the wrong side", "classic", "Smooth things stick, rough ones slide.",
+                  "You multiply the friction by mu. It may be at most mu times the normal part.",
+                  [](M K, V u, V n, double mu) -> Vector3 {
+                      const Vector3 stick = -K.inverse() * u;
+                      const double normal = n.dot(stick);
+                      if (normal > 0 && mu * (stick - normal * n).norm() <= normal) return stick;
+                      return sliding_impulse(K, u, n, mu).value_or(smooth_impulse(K, u, n, 0));
+                  }},
+                 {"it pulls", "classic: the size of the normal part",
+                  "Things stick to what they graze.",
+                  "Your impulse pulls where sticking would need a pull. A contact can push only: "
+                  "the normal part "
+                  "must be positive.",
+                  [](M K, V u, V n, double mu) -> Vector3 {
+                      const Vector3 stick = -K.inverse() * u;
+                      const double normal = n.dot(stick);
+                      if ((stick - normal * n).norm() <= mu * std::abs(normal)) return stick;
                       return sliding_impulse(K, u, n, mu).value_or(smooth_impulse(K, u, n, 0));
                   }}},
             .alternatives = {{"by the angle",

@@ -102,7 +102,7 @@ struct PressOne {
     struct Slip {
         bool clamp_each = false, may_pull = false, no_cone = false, cone_of_old = false,
              no_levers = false, forget = false, add = false, whole = false, no_fade = false,
-             anew = false;
+             cone_only = false, anew = false;
     };
     static void with(const Slip& slip, PressedContact& c, Body& a, Body& b, const Mobility& of_a,
                      const Mobility& of_b, const Press& want) {
@@ -121,9 +121,10 @@ struct PressOne {
         Vector3 wanted = (slip.anew ? 0 : 1) * c.friction -
                          c.friction_mass * (slip.whole ? u : u - s * c.normal);
         const double limit = want.friction * (slip.cone_of_old ? before : normal);
-        const Vector3 friction = slip.no_cone   ? wanted
-                                 : want.pyramid ? in_pyramid(wanted, limit, c.normal)
-                                                : in_cone(wanted, limit);
+        const Vector3 friction = slip.no_cone ? wanted
+                                 : want.pyramid && !slip.cone_only
+                                     ? in_pyramid(wanted, limit, c.normal)
+                                     : in_cone(wanted, limit);
         const Vector3 J =
             (normal - before) * c.normal + friction - (slip.anew ? 0 : 1) * c.friction;
         if (slip.no_levers)
@@ -195,7 +196,12 @@ struct PressOne {
                   "You begin the friction anew in each turn. Like the normal impulse it is a "
                   "sum: from "
                   "c.friction on.",
-                  wrong({.anew = true})}},
+                  wrong({.anew = true})},
+                 {"always the cone", "classic: want.pyramid forgotten",
+                  "None: the cone is the better one.",
+                  "want.pyramid makes no difference: where it is set, in_pyramid bounds the "
+                  "friction.",
+                  wrong({.cone_only = true})}},
             .alternatives = {{"increments first, then clamped against the sum",
                               [](PressedContact& c, Body& a, Body& b, const Mobility& of_a,
                                  const Mobility& of_b, const Press& want) -> void {

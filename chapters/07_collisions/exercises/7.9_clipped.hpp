@@ -62,7 +62,7 @@ struct Clipped {
 #ifndef NUTSHELL_SHEET
     struct Slip {
         bool no_cuts = false, other_side = false, half_way = false, wrong_end = false,
-             one_way = false, ignore_sign = false, open = false, outer = false;
+             one_way = false, ignore_sign = false, open = false, outer = false, no_five = false;
     };
     static Polygon with(const Slip& slip, const Polygon& from, int axis, double sign,
                         double limit, int side) {
@@ -81,9 +81,10 @@ struct Clipped {
             double part = over_p / (over_p - over_q);
             if (slip.half_way) part = 0.5;
             if (slip.wrong_end) part = 1 - part;
-            left.add(p + part * (q - p), over_p < 0   ? 10 * from.name[here] + side
-                                         : slip.outer ? 10 * from.name[here] + 5 + side
-                                                      : 10 * from.name[next] + 5 + side);
+            left.add(p + part * (q - p),
+                     over_p < 0   ? 10 * from.name[here] + side
+                     : slip.outer ? 10 * from.name[here] + 5 + side
+                                  : 10 * from.name[next] + (slip.no_five ? 0 : 5) + side);
         }
         return left;
     }
@@ -139,7 +140,12 @@ struct Clipped {
                   "Where the outline comes back in, the new corner is named after the edge's "
                   "outer end. It is "
                   "the inner one, next, that stays.",
-                  wrong({.outer = true})}},
+                  wrong({.outer = true})},
+                 {"named as where it leaves", "classic: the 5 forgotten",
+                  "Two contacts take over each other's past.",
+                  "Where the outline comes back in, the name has a 5 added, so that no other "
+                  "corner has it.",
+                  wrong({.no_five = true})}},
             .alternatives = {{"from each corner back to the one before",
                               [](const Polygon& from, int axis, double sign, double limit,
                                  int side) -> Polygon {
