@@ -145,6 +145,9 @@ void report_least(Report& report, const std::string& key, const std::vector<Leas
 
 void draw_study(Report& report, const Plan& plan, const std::vector<Curve>& curves,
                 const std::vector<Least>& all, const Need& need) {
+    require(
+        std::any_of(curves.begin(), curves.end(), [](const Curve& curve) { return !curve.runs.empty(); }),
+        "the study " + plan.key + ": its plan needs `steps`, how many each run makes (such as 10, 20, 40)");
     report.data(plan.key + ".csv", work_precision_data(curves));
     chart::Figure behind =
         work_figure(curves, all, need, plan.behind, plan.scene + " Down and left is better.", plan.guides);

@@ -169,6 +169,9 @@ TEST_CASE("Sleep: a stack that stands falls asleep, does not move a bit, and wak
     for (int i = 0; i < 60; ++i) engine.step(world, dt), hold();
     CHECK(world.bodies[ball - 1].position == top);
     CHECK(engine.contacts().empty());  // nothing is solved
+    engine.on.sleep = false;
+    CHECK_FALSE(engine.asleep(0));  // switched off, nobody sleeps
+    engine.on.sleep = true;
     world.bodies[ball].position = {-2, 4.5, 0}, world.bodies[ball].momentum = {12, 0, 0};
     for (int i = 0; i < 30; ++i) engine.step(world, dt);
     for (std::size_t i = 0; i < ball; ++i) CHECK_FALSE(engine.asleep(i));

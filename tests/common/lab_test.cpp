@@ -100,9 +100,11 @@ TEST_CASE("the machine's floor is a time between a picosecond and a microsecond"
 
 TEST_CASE("a study without planned steps is refused, and one whose runs are all wrong is not drawn") {
     const lab::Plan none{.key = "none", .scene = "A spring.", .behind = "error against cost"};
-    CHECK_THROWS_AS(lab::measured(TestSpring{}, newton_methods, none), std::invalid_argument);
     lab::Report report(fresh_folder(), "test");
-    lab::draw_study(report, none, {}, {}, TestSpring{}.need);
+    CHECK_THROWS_AS(lab::draw_study(report, none, {}, {}, TestSpring{}.need), std::invalid_argument);
+    lab::Measurement wrong;
+    wrong.max_error = std::numeric_limits<double>::infinity();
+    lab::draw_study(report, none, {{"wrong", {}, {wrong}}}, {}, TestSpring{}.need);
     CHECK_FALSE(std::filesystem::exists(report.path("none.svg")));
 }
 

@@ -84,7 +84,7 @@ class Engine {
         if (on.sleep) sleep_.end_step(world.bodies, reach_, on.rule, dt);
     }
     // [/step]
-    bool asleep(std::size_t body) const { return sleep_.asleep(body); }
+    bool asleep(std::size_t body) const { return on.sleep && sleep_.asleep(body); }
     /// The contacts of the last step.
     const std::vector<PressedContact>& contacts() const { return contacts_; }
 

@@ -8,7 +8,7 @@ namespace nutshell {
 
 /// When bodies fall asleep.
 struct SleepRule {
-    double speed = 0.02;  ///< slower than this is still: of the centre, and of the turning [m/s]
+    double speed = 0.05;  ///< slower than this is still: of the centre, and of the turning [m/s]
     double after = 0.5;   ///< how long all that touch must have been still [s]
 };
 

@@ -45,6 +45,7 @@ void report_orders(Report& report, const std::string& key, const Scene& scene,
 using StudyWords = Plan;
 
 /// Writes KEY_need.svg (what the need costs), KEY.svg (error against cost) and KEY.csv (all runs).
+/// @throws std::invalid_argument if no curve has a run
 void draw_study(Report& report, const Plan& plan, const std::vector<Curve>& curves,
                 const std::vector<Least>& all, const Need& need);
 

@@ -168,7 +168,6 @@ struct Study {
 
 /// Measures what a scene's need costs with each method, and error against cost.
 /// @param methods  a tuple of methods, or a list of entries
-/// @throws std::invalid_argument if no steps are planned
 template <class Scene, class Methods>
 Study measured(const Scene& scene, const Methods& methods, const Plan& plan) {
     require(
