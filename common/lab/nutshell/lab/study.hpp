@@ -170,9 +170,6 @@ struct Study {
 /// @param methods  a tuple of methods, or a list of entries
 template <class Scene, class Methods>
 Study measured(const Scene& scene, const Methods& methods, const Plan& plan) {
-    require(
-        !plan.steps.empty(),
-        "the study " + plan.key + ": its plan needs `steps`, how many each run makes (such as 10, 20, 40)");
     const auto& list = entries<Scene>(methods);
     return {least_of_each(scene, list, plan.fewest, plan.most), work_precision(scene, list, plan.steps)};
 }
