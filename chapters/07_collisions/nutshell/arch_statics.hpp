@@ -41,8 +41,9 @@ struct Range {
     double low = 0, high = immovable;
 };
 
-/// The moments H y [N m] of a thrust H [N] at the crown, at the height y, with which it passes all
-/// joints between their inner and their outer end; low > high if there are none. Eq. (7B.a).
+/// The moments H y [N m] of a thrust H [N] at the crown, at the height y, with which it
+/// passes all joints between their inner and their outer end; low > high if there are none.
+/// Eq. (7B.a).
 inline Range window(const Arch& arch, const std::vector<Joint>& joints, double thrust) {
     Range moments;
     for (const Joint& joint : joints) {
