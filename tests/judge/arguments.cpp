@@ -13,7 +13,8 @@ using exercises::Input;
 using exercises::Output;
 
 std::optional<Finding> ignored_argument(const Evidence& evidence) {
-    const auto& [inputs, outputs] = evidence.reference;
+    const auto& inputs = evidence.reference.inputs;
+    const auto& outputs = evidence.reference.outputs;
     std::vector<std::vector<std::size_t>> of_input(inputs.size());
     for (std::size_t i = 0; i < outputs.size(); ++i) of_input[outputs[i].input].push_back(i);
     std::vector<std::string> ignored, used;
@@ -85,7 +86,8 @@ std::vector<std::string> parts(std::size_t size, const std::set<std::size_t>& wr
 }  // namespace
 
 std::optional<Finding> wrong_somewhere(const Evidence& evidence) {
-    const auto& [inputs, outputs] = evidence.reference;
+    const auto& inputs = evidence.reference.inputs;
+    const auto& outputs = evidence.reference.outputs;
     std::set<std::size_t> wrong;
     for (const std::size_t i : evidence.wrong) wrong.insert(outputs[i].input);
     std::vector<std::string> names;
@@ -174,7 +176,8 @@ std::optional<Finding> wrong_somewhere(const Evidence& evidence) {
 }
 
 std::vector<std::string> what_is_right(const Evidence& evidence, bool explained) {
-    const auto& [inputs, outputs] = evidence.reference;
+    const auto& inputs = evidence.reference.inputs;
+    const auto& outputs = evidence.reference.outputs;
     std::set<std::string> wrong_names;
     std::set<std::size_t> wrong_inputs, components;
     std::size_t size = 0;

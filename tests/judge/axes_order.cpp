@@ -92,7 +92,8 @@ bool explains(const Evidence& evidence, Slip slip) {
 
 /// The least power of dt with which the difference of single steps from the right ones shrinks.
 std::optional<double> local_power(const Evidence& evidence) {
-    const auto& [inputs, outputs] = evidence.reference;
+    const auto& inputs = evidence.reference.inputs;
+    const auto& outputs = evidence.reference.outputs;
     std::map<std::pair<std::string, std::size_t>, std::array<double, 3>>
         all;  // by name and place in its level
     std::array<std::size_t, 3> first_input{};

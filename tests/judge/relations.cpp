@@ -39,7 +39,8 @@ std::string name_of(const Evidence& evidence, std::size_t output) {
 }  // namespace
 
 std::optional<Finding> nothing_changed(const Evidence& evidence) {
-    const auto& [inputs, outputs] = evidence.reference;
+    const auto& inputs = evidence.reference.inputs;
+    const auto& outputs = evidence.reference.outputs;
     const auto wrong = wrong_of_first_name(evidence);
     if (wrong.empty()) return std::nullopt;
     const std::string why =
@@ -170,7 +171,8 @@ std::optional<Finding> wrong_sign_somewhere(const Evidence& evidence) {
 }
 
 std::vector<std::string> where_and_along(const Evidence& evidence) {
-    const auto& [inputs, outputs] = evidence.reference;
+    const auto& inputs = evidence.reference.inputs;
+    const auto& outputs = evidence.reference.outputs;
     const auto wrong = wrong_of_first_name(evidence), all = of_first_wrong_name(evidence);
     std::vector<std::string> words;
     if (wrong.empty()) return words;
