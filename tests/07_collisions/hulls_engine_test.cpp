@@ -47,7 +47,8 @@ World room_of_hulls(std::uint64_t seed) {
             body = solid_box(1, box, {0, 0, 0}), shape = box;
         }
         body.position = {chance(-1.2, 1.2), chance(0.4, 4), chance(-1.2, 1.2)};
-        body.orientation = quaternion_about(chance.direction(), chance(0, 2 * pi));
+        const double angle = chance(0, 2 * pi);  // first: arguments are evaluated in any order
+        body.orientation = quaternion_about(chance.direction(), angle);
         body.momentum = body.mass * chance.vector(3);
         body = spinning(body, chance.vector(5));
         World with = world;

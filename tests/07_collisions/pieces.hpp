@@ -9,7 +9,8 @@ namespace nutshell {
 inline Body turned_body(Chance& chance, const Vector3& place) {
     Body body;
     body.position = place;
-    body.orientation = quaternion_about(chance.direction(), chance(0, 2 * pi));
+    const Vector3 axis = chance.direction();  // first: arguments are evaluated in any order
+    body.orientation = quaternion_about(axis, chance(0, 2 * pi));
     return body;
 }
 
