@@ -1,6 +1,7 @@
 // Convex pieces at the door, and in the engine.
 #include <nutshell/rest_scenes.hpp>
 #include "pieces.hpp"
+#include "rooms.hpp"
 
 using namespace nutshell;
 
@@ -62,17 +63,7 @@ void check_rooms_of_hulls(std::uint64_t from, std::uint64_t to, int sub_steps) {
     for (std::uint64_t seed = from; seed <= to; ++seed) {
         World world = checked(room_of_hulls(seed));
         Engine engine({sub_steps});
-        const double before = energy(world);
-        double highest = -immovable;
-        bool finite = true;
-        for (int i = 0; i < 120; ++i) {
-            engine.step(world, dt);
-            const double now = energy(world);
-            highest = std::max(highest, now), finite = finite && std::isfinite(now);
-        }
-        if (finite && highest <= before && escaped(world) == 0) continue;
-        FAIL_CHECK("room " << seed << ": energy " << highest << " of " << before << ", " << escaped(world)
-                           << " escaped, finite: " << finite);
+        check_room(std::move(world), std::move(engine), seed);
     }
 }
 

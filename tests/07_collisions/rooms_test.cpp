@@ -1,12 +1,9 @@
 // Chapter 7: rooms by chance, in which nothing may fail.
-#include <nutshell/rest_scenes.hpp>
-#include "near.hpp"
+#include "rooms.hpp"
 
 using namespace nutshell;
 
 namespace {
-
-constexpr double dt = 1 / 60.0;
 
 void check_rooms(std::uint64_t from, std::uint64_t to, double restitution = 0) {
     for (std::uint64_t seed = from; seed <= to; ++seed) {
@@ -15,17 +12,7 @@ void check_rooms(std::uint64_t from, std::uint64_t to, double restitution = 0) {
         World world = room.start();
         world.surface.restitution = restitution;
         Engine engine;
-        const double before = energy(world);
-        double highest = -immovable;
-        bool finite = true;
-        for (int i = 0; i < 120; ++i) {
-            engine.step(world, dt);
-            const double now = energy(world);
-            highest = std::max(highest, now), finite = finite && std::isfinite(now);
-        }
-        if (finite && highest <= before && escaped(world) == 0) continue;
-        FAIL_CHECK("room " << seed << ": energy " << highest << " of " << before << ", " << escaped(world)
-                           << " escaped, finite: " << finite);
+        check_room(std::move(world), std::move(engine), seed);
     }
 }
 
