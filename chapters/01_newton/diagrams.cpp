@@ -4,6 +4,7 @@
 #include <nutshell/chart/diagram.hpp>
 #include <nutshell/newton_methods.hpp>
 #include <nutshell/newton_scenes.hpp>
+#include <nutshell/sentence.hpp>
 #include "frames.hpp"
 #include "program.hpp"
 
@@ -111,7 +112,7 @@ void tilted_ellipse(lab::Report& report) {
     double turned = std::atan2(far_last.y, far_last.x) - std::atan2(far_first.y, far_first.x);
     turned = std::remainder(turned, 2 * pi);
     report.number("planet.twenty_years.turned", turned, "rad", "tilted_ellipse.svg");
-    d.title = "Verlet keeps the ellipse and turns it: " +
+    d.title = sentence("{} keeps the ellipse and turns it: ", methods::verlet) +
               lab::rounded(std::abs(turned) * 180 / pi, "%.0f") + "° in 19 years";
     d.subtitle = "Planet, " + std::to_string(steps) +
                  " steps a year. Dotted: the first year. Dashed: the twentieth.";
@@ -129,8 +130,8 @@ void landing(lab::Report& report) {
     const double exact = scene.exact(flight).position.x();
     chart::Figure figure;
     figure.title = "Five machines, one throw, five places to land";
-    figure.subtitle = "One step of " + std::string(methods::semi_implicit_euler.name) +
-                      ", as long as each frame.";
+    figure.subtitle =
+        phrase("One step of {}, as long as each frame.", methods::semi_implicit_euler);
     chart::Chart arcs;
     arcs.title = "The whole throw";
     arcs.x = {"distance [m]", chart::Scale::linear, 0, 32};

@@ -3,6 +3,7 @@
 #include <nutshell/lab/run.hpp>
 #include <nutshell/newton_methods.hpp>
 #include <nutshell/newton_scenes.hpp>
+#include <nutshell/sentence.hpp>
 #include "frames.hpp"
 #include "program.hpp"
 
@@ -43,8 +44,8 @@ void frame_rate(lab::Report& report) {
                       {methods::verlet.name, "%.1e"}},
                      {}};
     chart::Chart chart;
-    chart.title = "Euler's ball flies higher on a slower machine";
-    chart.subtitle = "Thrown ball, " + std::string(methods::euler.name) + ", one step a frame.";
+    chart.title = sentence("{}'s ball flies higher on a slower machine", methods::euler);
+    chart.subtitle = phrase("Thrown ball, {}, one step a frame.", methods::euler);
     chart.x = {"time [s]"};
     chart.y = {"computed minus exact height [m]"};
     for (const int rate : rates) {
@@ -58,8 +59,10 @@ void frame_rate(lab::Report& report) {
         };
         table.add({rate, series.y.back(), height(methods::semi_implicit_euler),
                    height(methods::verlet)});
-        report.number("frame_rate.euler." + std::to_string(rate), series.y.back(), "m");
-        report.number("frame_rate.verlet." + std::to_string(rate), height(methods::verlet), "m");
+        report.number("frame_rate." + methods::euler.key() + "." + std::to_string(rate),
+                      series.y.back(), "m");
+        report.number("frame_rate." + methods::verlet.key() + "." + std::to_string(rate),
+                      height(methods::verlet), "m");
         report.number("frame_rate.landing." + std::to_string(rate), too_far(scene, rate), "m");
         chart.series.push_back(std::move(series));
     }
@@ -68,9 +71,10 @@ void frame_rate(lab::Report& report) {
 }
 
 void game_loop(lab::Report& report) {
-    report.heading("Game loop: the same throw on five machines, " +
-                   std::string(methods::semi_implicit_euler.name) +
-                   ", error where the ball is drawn at the end");
+    report.heading(
+        phrase("Game loop: the same throw on five machines, {}, error where the ball is drawn at "
+               "the end",
+               methods::semi_implicit_euler));
     const ThrownBall scene;
     lab::Table table{
         {"machine", {"step follows the frame [m]", "%.4f"}, {"fixed step [m]", "%.4f"}}, {}};

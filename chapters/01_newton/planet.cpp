@@ -3,6 +3,7 @@
 #include <nutshell/lab/need_chart.hpp>
 #include <nutshell/newton_methods.hpp>
 #include <nutshell/newton_scenes.hpp>
+#include <nutshell/sentence.hpp>
 #include "program.hpp"
 
 namespace nutshell {
@@ -57,7 +58,7 @@ void conservation(lab::Report& report) {
                      {}};
     lab::Table data{{"orbits", "method", "energy_change", "angular_momentum_change"}, {}};
     chart::Chart energy;
-    energy.title = "Euler's energy jumps away; the other two come back";
+    energy.title = sentence("{}'s energy jumps away; the other two come back", methods::euler);
     energy.subtitle = "Planet, ε = " + lab::rounded(Planet{}.eccentricity) + ", " +
                       std::to_string(steps_an_orbit) + " steps a year.";
     energy.x = {"years", chart::Scale::linear, 0, 5};
@@ -93,7 +94,8 @@ void orders(lab::Report& report) {
                       {"order by error after whole orbits", "%.3f"}},
                      {}};
     chart::Chart chart;
-    chart.title = "Semi-implicit Euler: first order on the way, second at the end";
+    chart.title =
+        sentence("{}: first order on the way, second at the end", methods::semi_implicit_euler);
     chart.subtitle =
         "Planet, one orbit: the largest error on the way, and the error at the end of the orbit.";
     chart.x = {"step dt [year/2π]", chart::Scale::logarithmic};
@@ -131,7 +133,7 @@ void cost(lab::Report& report) {
                    {.key = "planet",
                     .scene = "Planet, ε = " + lab::rounded(scene.eccentricity) + ", " +
                              lab::rounded(scene.orbits) + " orbits.",
-                    .behind = "Verlet's error falls twice as steeply",
+                    .behind = sentence("{}'s error falls twice as steeply", methods::verlet),
                     .guides = {-1, -2},
                     .steps = {300, 600, 1200, 2400, 4800, 9600, 19200, 38400, 76800},
                     .fewest = 100,
@@ -146,8 +148,7 @@ void cost(lab::Report& report) {
     const auto floor = lab::machine_floor();
     const auto& finest = curves[2].runs.back();
     const double per_step = finest.seconds_per_second * finest.dt;
-    report.say("A step of " + std::string(methods::verlet.name) + " takes " +
-               lab::rounded(per_step * 1e9) +
+    report.say(phrase("A step of {} takes ", methods::verlet) + lab::rounded(per_step * 1e9) +
                " ns; one square root and division that wait for each other, the heart of its "
                "force, take " +
                lab::rounded(floor.square_root * 1e9) + " ns here.");

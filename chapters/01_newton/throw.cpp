@@ -2,6 +2,7 @@
 #include <nutshell/lab/need_chart.hpp>
 #include <nutshell/newton_methods.hpp>
 #include <nutshell/newton_scenes.hpp>
+#include <nutshell/sentence.hpp>
 #include "program.hpp"
 
 namespace nutshell {
@@ -62,13 +63,14 @@ void thrown_ball(lab::Report& report) {
     compare(methods::verlet, Kicked::half_and_half);
     report.print(table);
 
-    lab::study(report, scene, newton_methods,
-               {.key = "throw",
-                .scene = "Thrown ball, " + lab::rounded(scene.duration) + " s, constant force.",
-                .behind = "Both Eulers fall by ten for ten times the work",
-                .guides = {-1},
-                .lead = "Verlet is exact at any step: two evaluations will do",
-                .steps = {3, 6, 12, 30, 90, 180, 432, 1000, 3000, 10000}});
+    lab::study(
+        report, scene, newton_methods,
+        {.key = "throw",
+         .scene = "Thrown ball, " + lab::rounded(scene.duration) + " s, constant force.",
+         .behind = phrase("Both {}s fall by ten for ten times the work", methods::euler),
+         .guides = {-1},
+         .lead = sentence("{} is exact at any step: two evaluations will do", methods::verlet),
+         .steps = {3, 6, 12, 30, 90, 180, 432, 1000, 3000, 10000}});
 }
 
 }  // namespace nutshell

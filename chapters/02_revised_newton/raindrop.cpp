@@ -2,6 +2,7 @@
 #include <nutshell/lab/need_chart.hpp>
 #include <nutshell/newton_methods.hpp>
 #include <nutshell/revised_newton_scenes.hpp>
+#include <nutshell/sentence.hpp>
 #include "program.hpp"
 
 namespace nutshell {
@@ -53,7 +54,8 @@ void raindrop(lab::Report& report) {
     lab::study(report, drop, newton_methods,
                {.key = "drop",
                 .scene = "Raindrop, " + lab::rounded(T) + " s through a cloud at rest.",
-                .behind = "Euler works, at first order; Verlet's error falls twice as steeply",
+                .behind = sentence("{} works, at first order; {}'s error falls twice as steeply",
+                                   methods::euler, methods::verlet),
                 .guides = {-1, -2},
                 .steps = {5, 10, 20, 50, 100, 300, 1000, 3000, 10000, 30000}});
 }

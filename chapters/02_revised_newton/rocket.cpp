@@ -2,6 +2,7 @@
 #include <nutshell/lab/need_chart.hpp>
 #include <nutshell/newton_methods.hpp>
 #include <nutshell/revised_newton_scenes.hpp>
+#include <nutshell/sentence.hpp>
 #include "program.hpp"
 
 namespace nutshell {
@@ -105,16 +106,18 @@ void launch(lab::Report& report) {
                   (in_space.start.flow.rate * in_space.start.flow.velocity).norm(), "N");
 
     auto entries = lab::entries<Rocket>(newton_methods);
-    entries.push_back(lab::entry_on<Rocket>(
-        std::string(methods::verlet.name) + ", midway parcels", variant(methods::verlet.look),
-        methods::verlet, Rocket::with_midway));
-    lab::study(report, scene, entries,
-               {.key = "launch",
-                .scene = "Water rocket under gravity, " + lab::rounded(T) + " s.",
-                .behind = "Only Verlet with midway parcels falls at second order",
-                .guides = {-1, -2},
-                .lead = "Verlet alone gains nothing; with midway parcels it needs least",
-                .steps = {3, 10, 30, 100, 300, 1000, 3000, 10000}});
+    entries.push_back(lab::entry_on<Rocket>(phrase("{}, midway parcels", methods::verlet),
+                                            variant(methods::verlet.look), methods::verlet,
+                                            Rocket::with_midway));
+    lab::study(
+        report, scene, entries,
+        {.key = "launch",
+         .scene = "Water rocket under gravity, " + lab::rounded(T) + " s.",
+         .behind = phrase("Only {} with midway parcels falls at second order", methods::verlet),
+         .guides = {-1, -2},
+         .lead = sentence("{} alone gains nothing; with midway parcels it needs least",
+                          methods::verlet),
+         .steps = {3, 10, 30, 100, 300, 1000, 3000, 10000}});
 }
 
 namespace {
@@ -143,7 +146,8 @@ double books_of(lab::Report& report, const Rocket& flight, Eigen::Index axis,
 }  // namespace
 
 void momentum_books(lab::Report& report) {
-    const std::string how = methods::verlet.name + (", " + std::to_string(parcels)) + " parcels";
+    const std::string how =
+        phrase("{}, ", methods::verlet) + std::to_string(parcels) + " parcels";
     report.heading("The books of momentum: rocket and exhaust, " + how);
     chart::Chart chart;
     chart.x = {"time [s]"};

@@ -1,10 +1,10 @@
 #include <nutshell/lab/need_chart.hpp>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <nutshell/lab/work_chart.hpp>
 #include <nutshell/require.hpp>
+#include <nutshell/sentence.hpp>
 #include <set>
 
 namespace nutshell::lab {
@@ -53,9 +53,7 @@ std::string who_needs_least(const std::vector<Least>& all) {
 }  // namespace
 
 std::string finding(const std::vector<Least>& all) {
-    std::string words = who_needs_least(all);
-    words[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(words[0])));
-    return words;
+    return capital(who_needs_least(all));
 }
 
 chart::Ranking need_chart(const std::vector<Least>& all, const Need& need, const std::string& words,

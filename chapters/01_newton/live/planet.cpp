@@ -2,6 +2,7 @@
 #include <nutshell/live/run.hpp>
 #include <nutshell/newton_methods.hpp>
 #include <nutshell/newton_scenes.hpp>
+#include <nutshell/sentence.hpp>
 
 namespace nutshell {
 
@@ -18,12 +19,12 @@ class LivePlanet : public live::Figure {
         return {{.name = "steps a year", .least = 20, .most = 2000, .start = 100, .whole = true}};
     }
     std::vector<live::State> states() const override {
-        return {{.key = "euler",
-                 .words = "Euler, 1000 steps a year",
+        return {{.key = methods::euler.key(),
+                 .words = phrase("{}, 1000 steps a year", methods::euler),
                  .setting = {0, {1000}},
                  .time = 6 * 2 * pi},
-                {.key = "verlet",
-                 .words = "Verlet, 100 steps a year",
+                {.key = methods::verlet.key(),
+                 .words = phrase("{}, 100 steps a year", methods::verlet),
                  .setting = {2, {100}},
                  .time = 20 * 2 * pi,
                  .drawn = true}};

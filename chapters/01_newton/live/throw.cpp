@@ -4,6 +4,7 @@
 #include <nutshell/live/run.hpp>
 #include <nutshell/newton_methods.hpp>
 #include <nutshell/newton_scenes.hpp>
+#include <nutshell/sentence.hpp>
 
 namespace nutshell {
 
@@ -28,13 +29,22 @@ class LiveThrow : public live::Figure {
                  .whole = true}};
     }
     std::vector<live::State> states() const override {
-        return {{.key = "euler", .words = "Euler", .setting = {0, {4}}, .time = 3},
-                {.key = "semi_implicit_euler",
-                 .words = "semi-implicit Euler",
+        return {{.key = methods::euler.key(),
+                 .words = methods::euler.name,
+                 .setting = {0, {4}},
+                 .time = 3},
+                {.key = methods::semi_implicit_euler.key(),
+                 .words = methods::semi_implicit_euler.name,
                  .setting = {1, {4}},
                  .time = 3},
-                {.key = "verlet", .words = "Verlet", .setting = {2, {4}}, .time = 3},
-                {.key = "sixty", .words = "Euler at 60 Hz", .setting = {0, {60}}, .time = 3}};
+                {.key = methods::verlet.key(),
+                 .words = methods::verlet.name,
+                 .setting = {2, {4}},
+                 .time = 3},
+                {.key = "sixty",
+                 .words = phrase("{} at 60 Hz", methods::euler),
+                 .setting = {0, {60}},
+                 .time = 3}};
     }
 
     void begin(const live::Setting& setting) override {
@@ -64,7 +74,8 @@ class LiveThrow : public live::Figure {
     std::string ended() const override {
         if (time() < scene_.duration - 1e-9) return {};
         const double up = off(0).y();
-        if (std::abs(up) < 1e-9) return "Three seconds, and no error: Verlet is exact here.";
+        if (std::abs(up) < 1e-9)
+            return phrase("Three seconds, and no error: {} is exact here.", methods::verlet);
         return "After three seconds it is " + digits(std::round(1000 * std::abs(up)) / 10) +
                " cm too " + (up > 0 ? "high" : "low") + ".";
     }

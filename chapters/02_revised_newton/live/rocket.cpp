@@ -2,6 +2,7 @@
 #include <nutshell/live/run.hpp>
 #include <nutshell/newton_methods.hpp>
 #include <nutshell/revised_newton_scenes.hpp>
+#include <nutshell/sentence.hpp>
 
 namespace nutshell {
 
@@ -18,9 +19,14 @@ class LiveRocket : public live::Figure {
         return {{.name = "step dt", .unit = "s", .least = 0.005, .most = 0.3, .start = 0.025}};
     }
     std::vector<live::State> states() const override {
-        return {
-            {.key = "verlet", .words = "Verlet, 0.025 s", .setting = {2, {0.025}}, .time = 1.5},
-            {.key = "euler", .words = "Euler, 0.15 s", .setting = {0, {0.15}}, .time = 1.5}};
+        return {{.key = methods::verlet.key(),
+                 .words = phrase("{}, 0.025 s", methods::verlet),
+                 .setting = {2, {0.025}},
+                 .time = 1.5},
+                {.key = methods::euler.key(),
+                 .words = phrase("{}, 0.15 s", methods::euler),
+                 .setting = {0, {0.15}},
+                 .time = 1.5}};
     }
 
     void begin(const live::Setting& setting) override {

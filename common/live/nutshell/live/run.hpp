@@ -7,11 +7,17 @@
 
 namespace nutshell::live {
 
+/// A method as a button.
+template <class Method>
+Choice choice_of(const Method& method) {
+    return {method.key(), method.name, method.look};
+}
+
 /// The methods of a list as buttons.
 template <class List>
 std::vector<Choice> choices_of(const List& methods) {
     std::vector<Choice> choices;
-    each(methods, [&](const auto& method) { choices.push_back({method.key(), method.name, method.look}); });
+    each(methods, [&](const auto& method) { choices.push_back(choice_of(method)); });
     return choices;
 }
 
