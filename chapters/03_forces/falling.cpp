@@ -1,5 +1,6 @@
 // Falling with drag: what a first-order method, Verlet with drag in its kicks and an exact step make
 // of it, and where they break.
+#include <nutshell/sentence.hpp>
 #include "entries.hpp"
 #include "program.hpp"
 
@@ -42,9 +43,11 @@ void falling(lab::Report& report) {
             report, scene, methods,
             {.key = key,
              .scene = "A body falls with linear drag for " + lab::rounded(scene.duration) + " s.",
-             .behind = "Slopes are orders; the exponential kick has no error to shrink",
+             .behind = phrase("Slopes are orders; the {} has no error to shrink",
+                              methods::exponential_kick),
              .guides = {-1, -2, -4},
-             .lead = "The exponential kick is exact: one step for the whole fall",
+             .lead = phrase("The {} is exact: one step for the whole fall",
+                            methods::exponential_kick),
              .steps = {1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000},
              .most = 100'000});
     };

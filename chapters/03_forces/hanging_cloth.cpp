@@ -3,6 +3,7 @@
 #include <nutshell/lab/run.hpp>
 #include <nutshell/newton_methods.hpp>
 #include <nutshell/picture/picture.hpp>
+#include <nutshell/sentence.hpp>
 #include <nutshell/spring_limits.hpp>
 #include "scale.hpp"
 
@@ -110,9 +111,10 @@ void hanging_cloth(lab::Report& report) {
     report.number("cloth.steps", double(steps));
     report.number("cloth.strays_at_0.99", farthest(below, net.start), "m");
     report.number("cloth.strays_at_1.01", farthest(above, net.start), "m");
-    report.say("Verlet at 0.99 of its limit strays " + lab::rounded(farthest(below, net.start)) +
-               " m in " + std::to_string(same) + " steps, at 1.01 " +
-               lab::rounded(farthest(above, net.start)) + " m in " + std::to_string(steps));
+    report.say(sentence("{} at 0.99 of its limit strays ", methods::verlet) +
+               lab::rounded(farthest(below, net.start)) + " m in " + std::to_string(same) +
+               " steps, at 1.01 " + lab::rounded(farthest(above, net.start)) + " m in " +
+               std::to_string(steps));
 }
 
 }  // namespace nutshell

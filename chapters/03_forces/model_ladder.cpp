@@ -1,5 +1,6 @@
 // The model ladder: a throw without drag, with linear drag and with quadratic drag. What does the
 // simpler model get wrong, what does it save, and when does nobody notice?
+#include <nutshell/sentence.hpp>
 #include "entries.hpp"
 #include "program.hpp"
 
@@ -102,7 +103,7 @@ void model_ladder(lab::Report& report) {
     viscous.air = 0, viscous.drag = ThrowInAir{}.air * full;
     const auto cheapest =
         lab::fewest_steps(air, lab::entry<ThrowInAir>(methods::rk4), air.need.tolerance);
-    require(cheapest.has_value(), "model_ladder: RK4 did not reach a pixel");
+    require(cheapest.has_value(), phrase("model_ladder: {} did not reach a pixel", methods::rk4));
     const double time_none =
         lab::time_of([&] { lab::keep(lab::run(nothing, methods::verlet, 1)); });
     const double time_linear =

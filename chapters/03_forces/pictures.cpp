@@ -48,7 +48,7 @@ void numbers_of_captions(lab::Report& report) {
                                         damped.exact(dt * static_cast<double>(i)).position.x()));
         return most;
     };
-    report.number("picture.damped.verlet", off(methods::verlet), "m");
+    report.number("picture.damped." + methods::verlet.key(), off(methods::verlet), "m");
     report.number("picture.damped.exponential", off(methods::exponential_verlet), "m");
 }
 

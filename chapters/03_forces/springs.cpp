@@ -1,5 +1,6 @@
 // The mass on a spring: the scene that sorts the methods. Then with damping, where drag inside a
 // kick costs an order.
+#include <nutshell/sentence.hpp>
 #include "entries.hpp"
 #include "program.hpp"
 
@@ -62,10 +63,9 @@ void overflow(lab::Report& report) {
     const double theta = 0.1, dt = theta / scene.omega(), periods_a_step = theta / (2 * pi);
     chart::Chart chart;
     chart.title = "How a game ends in NaN";
-    chart.subtitle = "Mass on a spring, " + std::string(methods::euler.name) +
-                     " at ω dt = " + lab::rounded(theta) +
-                     ": every step multiplies the energy by " + lab::rounded(1 + theta * theta) +
-                     ".";
+    chart.subtitle = phrase("Mass on a spring, {} at ω dt = ", methods::euler) +
+                     lab::rounded(theta) + ": every step multiplies the energy by " +
+                     lab::rounded(1 + theta * theta) + ".";
     chart.x = {"periods", chart::Scale::linear, 0, 2400};
     chart.y = {"decimal exponent", chart::Scale::linear, 0, 320};
     chart.levels_y = {{std::log10(std::numeric_limits<double>::max()), "the largest double"}};
@@ -94,7 +94,7 @@ void overflow(lab::Report& report) {
     report.number("overflow.energy.periods", energy_periods);
     report.number("overflow.state.periods", state_periods);
     report.number("overflow.state.minutes_at_1_hz", state_periods / 60, "min");
-    report.say(std::string(methods::euler.name) + " at omega dt = " + lab::rounded(theta) +
+    report.say(sentence("{} at omega dt = ", methods::euler) + lab::rounded(theta) +
                ": the energy overflows after " + lab::rounded(energy_periods, "%.0f") +
                " periods, the state after " + lab::rounded(state_periods, "%.0f") + ".");
     report.draw("overflow", chart);
@@ -137,7 +137,7 @@ void springs(lab::Report& report) {
          {.key = "damped",
           .scene = "Damped spring, ratio " + lab::rounded(ratio) + ", " +
                    lab::rounded(damped.duration) + " seconds.",
-          .behind = "Drag inside the kick costs Verlet an order"});
+          .behind = phrase("Drag inside the kick costs {} an order", methods::verlet)});
 }
 
 }  // namespace nutshell

@@ -6,6 +6,7 @@
 #include <nutshell/chart/chart.hpp>
 #include <nutshell/forces_methods.hpp>
 #include <nutshell/lab/run.hpp>
+#include <nutshell/sentence.hpp>
 #include <nutshell/spring_limits.hpp>
 #include <nutshell/stiff_steps.hpp>
 #include "scale.hpp"
@@ -77,7 +78,8 @@ double stretch(SpringNet net, Stepper step, double dt) {
 }  // namespace
 
 void stiff_cloth(lab::Report& report) {
-    report.heading("A stiff cloth swings: small steps, implicit Euler, position-based dynamics");
+    report.heading(phrase("A stiff cloth swings: small steps, {}, position-based dynamics",
+                          methods::implicit_euler));
     const SpringNet net = swinging_cloth();
     const double limit = 2 / fastest_mode(net, net.start).frequency;
     const double steps_a_frame = std::ceil(frame / (0.9 * limit)), small = frame / steps_a_frame;
@@ -96,7 +98,7 @@ void stiff_cloth(lab::Report& report) {
         report.number("stiff." + key + ".kept", s.kept, "", "printed");
         report.number("stiff." + key + ".milliseconds", s.milliseconds, "ms", "printed");
     };
-    row(verlet, "verlet", steps_a_frame);
+    row(verlet, methods::verlet.key(), steps_a_frame);
     row(implicit, "implicit", 1);
     row(implicit_small, "implicit_4", 4);
     row(based, "position_based", 1);
@@ -117,8 +119,9 @@ void stiff_cloth(lab::Report& report) {
 
     chart::Figure figure;
     figure.title = "Stable at one step a frame, but the swing dies away";
-    figure.subtitle = "A cloth held along its upper edge swings, no drag. Verlet makes " +
-                      lab::rounded(steps_a_frame) + " steps a frame, the others one.";
+    figure.subtitle =
+        phrase("A cloth held along its upper edge swings, no drag. {} makes ", methods::verlet) +
+        lab::rounded(steps_a_frame) + " steps a frame, the others one.";
     chart::Chart swings;
     swings.title = "How it swings";
     swings.x = {"time [s]"};

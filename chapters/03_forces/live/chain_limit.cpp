@@ -1,5 +1,6 @@
 // The chain of ten masses whose limits chapter 3 predicts: it hangs at rest, and past its limit it
 // shakes itself apart. The pointer pulls it.
+#include <nutshell/sentence.hpp>
 #include "net.hpp"
 
 namespace nutshell {
@@ -20,11 +21,11 @@ class LiveChain : public LiveNet {
     std::vector<live::State> states() const override {
         const double limit = 1e3 * limit_of(2);
         return {{.key = "below",
-                 .words = "Verlet at 0.95 of its limit",
+                 .words = phrase("{} at 0.95 of its limit", methods::verlet),
                  .setting = {2, {0.95 * limit}},
                  .time = 0.3},
                 {.key = "above",
-                 .words = "Verlet at 1.05 of its limit",
+                 .words = phrase("{} at 1.05 of its limit", methods::verlet),
                  .setting = {2, {1.05 * limit}},
                  .time = 0.9}};
     }

@@ -2,6 +2,7 @@
 #include <nutshell/forces_methods.hpp>
 #include <nutshell/live/run.hpp>
 #include <nutshell/newton_scenes.hpp>
+#include <nutshell/sentence.hpp>
 
 namespace nutshell {
 
@@ -12,7 +13,8 @@ namespace {
 class LiveClock : public live::Figure {
   public:
     std::vector<live::Choice> choices() const override {
-        return {{"verlet", "Verlet, equal times", methods::verlet.look},
+        return {{methods::verlet.key(), phrase("{}, equal times", methods::verlet),
+                 methods::verlet.look},
                 {methods::logarithmic_leapfrog.key(), methods::logarithmic_leapfrog.name,
                  methods::logarithmic_leapfrog.look}};
     }
@@ -21,17 +23,17 @@ class LiveClock : public live::Figure {
     }
     std::vector<live::State> states() const override {
         const double orbit = 2 * pi * 39.5 / 40;
-        return {{.key = "verlet",
-                 .words = "Verlet, equal times",
+        return {{.key = methods::verlet.key(),
+                 .words = phrase("{}, equal times", methods::verlet),
                  .setting = {0, {40}},
                  .time = orbit},
                 {.key = "leapfrog",
-                 .words = "logarithmic leapfrog",
+                 .words = methods::logarithmic_leapfrog.name,
                  .setting = {1, {40}},
                  .time = orbit,
                  .drawn = true},
                 {.key = "few",
-                 .words = "logarithmic leapfrog, 12 steps",
+                 .words = phrase("{}, 12 steps", methods::logarithmic_leapfrog),
                  .setting = {1, {12}},
                  .time = orbit}};
     }

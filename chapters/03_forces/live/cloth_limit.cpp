@@ -1,5 +1,6 @@
 // The cloth of chapter 3, hung up by two corners and at rest: past its limit it breaks in its
 // fastest mode. The pointer pulls it.
+#include <nutshell/sentence.hpp>
 #include "net.hpp"
 
 namespace nutshell {
@@ -36,12 +37,12 @@ class LiveCloth : public LiveNet {
     std::vector<live::State> states() const override {
         const double limit = 1e3 * limit_of(2);
         return {{.key = "above",
-                 .words = "Verlet at 1.01 of its limit",
+                 .words = phrase("{} at 1.01 of its limit", methods::verlet),
                  .setting = {2, {1.01 * limit}},
                  .time = 0.32,
                  .instants = {0.1, 0.25, 0.3, 0.32, 0.34}},
                 {.key = "below",
-                 .words = "Verlet at 0.99 of its limit",
+                 .words = phrase("{} at 0.99 of its limit", methods::verlet),
                  .setting = {2, {0.99 * limit}},
                  .time = 0.32}};
     }

@@ -2,6 +2,7 @@
 #include <nutshell/forces_methods.hpp>
 #include <nutshell/forces_scenes.hpp>
 #include <nutshell/live/run.hpp>
+#include <nutshell/sentence.hpp>
 #include <nutshell/stability_limits.hpp>
 
 namespace nutshell {
@@ -41,7 +42,7 @@ class LiveDamped : public live::Figure {
                  .time = 3,
                  .drawn = true},
                 {.key = "bay",
-                 .words = "Verlet with much drag",
+                 .words = phrase("{} with much drag", methods::verlet),
                  .setting = {2, {0.25, 2}},
                  .time = 3}};
     }

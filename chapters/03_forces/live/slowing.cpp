@@ -3,6 +3,7 @@
 #include "../slowing.hpp"
 #include <nutshell/forces_methods.hpp>
 #include <nutshell/live/run.hpp>
+#include <nutshell/sentence.hpp>
 #include <nutshell/stability_limits.hpp>
 #include <nutshell/stale_drag.hpp>
 
@@ -31,7 +32,10 @@ class LiveSlowing : public live::Figure {
                  .mark_words = "limit " + digits(std::round(1000 * limit) / 1000)}};
     }
     std::vector<live::State> states() const override {
-        return {{.key = "small", .words = "Euler, ν dt = 0.5", .setting = {0, {0.5}}, .time = 10},
+        return {{.key = "small",
+                 .words = phrase("{}, ν dt = 0.5", methods::euler),
+                 .setting = {0, {0.5}},
+                 .time = 10},
                 {.key = "turned",
                  .words = "1.5: turned round in every step",
                  .setting = {0, {1.5}},
@@ -47,7 +51,7 @@ class LiveSlowing : public live::Figure {
                  .time = 10,
                  .drawn = true},
                 {.key = "exponential",
-                 .words = "exponential kick, 2.5",
+                 .words = phrase("{}, 2.5", methods::exponential_kick),
                  .setting = {4, {2.5}},
                  .time = 10}};
     }
