@@ -54,7 +54,8 @@ void coning(lab::Report& report) {
     // in the picture's 24 steps: along the way, and after the whole round, where both are as far off
     const auto start = lab::measure(scene, methods::exponential_map, 24),
                middle = lab::measure(scene, methods::exponential_midpoint, 24);
-    report.number("coning.24.exponential", start.max_error * 180 / pi, "degrees");
+    report.number("coning.24." + methods::exponential_map.key(), start.max_error * 180 / pi,
+                  "degrees");
     report.number("coning.24.midpoint", middle.max_error * 180 / pi, "degrees");
     report.number("coning.24.end", start.final_error * 180 / pi, "degrees");
     const auto wrong = [&](long steps) {

@@ -1,6 +1,7 @@
 // Steady spins: how fast points are, what each method loses, what engines lose, what eyes lose.
 #include <nutshell/chart/chart.hpp>
 #include <nutshell/lab/need_chart.hpp>
+#include <nutshell/sentence.hpp>
 #include <nutshell/spinning_limits.hpp>
 #include <nutshell/spinning_methods.hpp>
 #include <nutshell/spinning_scenes.hpp>
@@ -58,7 +59,8 @@ void velocity(lab::Report& report) {
     report.number("rolling.need", rolling.need.tolerance, "m");
     report.number("rolling.first_order_steps", static_cast<double>(steps));
     require(lab::measure(rolling, methods::exponential_map, 1).max_error < rolling.need.tolerance,
-            "one step of the exponential does not meet the rolling wheel's need");
+            phrase("one step of the {} does not meet the rolling wheel's need",
+                   methods::exponential_map));
     report.say("A wheel rolls at " + lab::rounded(rolling.speed) +
                " m/s: its lowest point moves at " +
                lab::rounded(rolling.velocity(q, lowest).norm()) + ", its highest at " +
@@ -110,7 +112,8 @@ void steady_spin(lab::Report& report) {
 
     chart::Chart chart;
     chart.title = "What a step of a steady spin leaves out";
-    chart.subtitle = "Marks: measured; dashed: the laws. The exponential leaves out nothing.";
+    chart.subtitle = phrase("Marks: measured; dashed: the laws. The {} leaves out nothing.",
+                            methods::exponential_map);
     chart.x = {"angle of one step, ω dt [rad]", chart::Scale::logarithmic};
     chart.y = {"angle missing each step [rad]", chart::Scale::logarithmic, 1e-13};
     chart.cut = true;
@@ -146,10 +149,10 @@ void steady_spin(lab::Report& report) {
             1, 20000, 1.01, [](const Quaternion& q) { return q.norm(); });
     };
     const double limit = lab::stability_limit(stable, 4, 7);
-    report.number("rk4.limit", limit, "rad");
-    report.number("rk4.limit_law", rk4_pose_limit, "rad");
-    report.say(std::string(methods::rk4_pose.name) +
-               " is stable up to omega dt = " + lab::rounded(limit, "%.4f") +
+    report.number(methods::rk4_pose.key() + ".limit", limit, "rad");
+    report.number(methods::rk4_pose.key() + ".limit_law", rk4_pose_limit, "rad");
+    report.say(sentence("{} is stable up to omega dt = ", methods::rk4_pose) +
+               lab::rounded(limit, "%.4f") +
                "; 4 sqrt 2 = " + lab::rounded(rk4_pose_limit, "%.4f"));
 }
 
@@ -175,16 +178,18 @@ void engines(lab::Report& report) {
     chart.title = "How many of 1000 turns are made";
     chart.subtitle = "20 turns a second, steps of 1/60 s, by the rules that engines use.";
     chart.x = {"turns made", chart::Scale::linear, 0};
-    const auto rule = [&](const char* name, const char* key, Look look, double made) {
+    const auto rule = [&](const std::string& name, const std::string& key, Look look,
+                          double made) {
         chart::Bar bar{name, made};
         bar.look = look, bar.text = lab::rounded(made, "%.0f");
         chart.bars.push_back(bar);
         table.add({name, lab::rounded(made, "%.1f")});
-        report.number(std::string("engines.") + key, made, "turns");
+        report.number("engines." + key, made, "turns");
     };
     const auto part = [&](const Vector3& omega) { return 1000 * omega.norm() / wheel.rate; };
-    rule("exponential, no clamp", "exponential", Look{Family::exponential, Mark::triangle}, 1000);
-    rule("first order, divided", "first_order", Look{Family::explicit_one_step, Mark::circle},
+    rule(phrase("{}, no clamp", methods::exponential_map), methods::exponential_map.key(),
+         methods::exponential_map.look, 1000);
+    rule(methods::first_order_unit.name, "first_order", methods::first_order_unit.look,
          1000 * 2 * std::atan(theta / 2) / theta);
     rule("clamped by halves", "by_halves", Look{Family::peer, Mark::triangle_down},
          1000 * clamped_by_halves(theta, pi / 4) / theta);

@@ -121,8 +121,8 @@ void how_long_a_step(lab::Report& report) {
     report.number("wobble.cut",
                   lab::measure(wobble, methods::kick_magnus_kick, frames * parts).max_error,
                   "rad");
-    report.number("wobble.rk4", lab::measure(wobble, methods::rk4, frames * parts).max_error,
-                  "rad");
+    report.number("wobble." + methods::rk4.key(),
+                  lab::measure(wobble, methods::rk4, frames * parts).max_error, "rad");
     // A small wobble of a round plate goes round in the body at M3 (1/I1 - 1/I3), by RK4: it dies
     // out below 2 sqrt(2) a step and grows beyond.
     const FreeBody plate("plate", {1, 1, 2}, {1e-6, 0, 10}, 1, {1, "rad", ""});

@@ -2,6 +2,7 @@
 #include <nutshell/chart/chart.hpp>
 #include <nutshell/lab/run.hpp>
 #include <nutshell/rigid_methods.hpp>
+#include <nutshell/sentence.hpp>
 #include <nutshell/top_scenes.hpp>
 #include "program.hpp"
 
@@ -172,7 +173,7 @@ void failures(lab::Report& report) {
     report.heading("Failures on S7: off by [rad] after 100 s, for steps a second");
     lab::Table table{{"method", "60", "240", "960"}, {}};
     chart::Chart chart;
-    chart.title = "A constant ω never arrives, RK4 on the group arrives late";
+    chart.title = phrase("A constant ω never arrives, {} arrives late", methods::lie_rk4);
     chart.subtitle = "Scene S7, 100 s. L comes from the world; the question is how often.";
     chart.x = {"steps a second", chart::Scale::logarithmic};
     chart.y = {"largest error [rad]", chart::Scale::logarithmic};
@@ -227,7 +228,7 @@ void failures(lab::Report& report) {
     };
     report.number("plate.engine.gain", 1 + gain(methods::engine_step, 600));
     report.number("plate.split.gain", gain(methods::kick_split_kick, 600));
-    report.say("Body-frame Euler doubles the energy of a wobbling plate in " +
+    report.say(sentence("{} doubles the energy of a wobbling plate in ", methods::engine_step) +
                lab::rounded(doubled) + " s and multiplies it by " +
                lab::rounded(1 + gain(methods::engine_step, 600)) + " in 10 s.");
 }

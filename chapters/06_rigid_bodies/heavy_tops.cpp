@@ -2,6 +2,7 @@
 #include <nutshell/chart/chart.hpp>
 #include <nutshell/lab/need_chart.hpp>
 #include <nutshell/rigid_methods.hpp>
+#include <nutshell/sentence.hpp>
 #include <nutshell/top_scenes.hpp>
 #include "program.hpp"
 
@@ -159,7 +160,9 @@ void sleeping(lab::Report& report) {
                lab::rounded(limit, "%.4f") + " kg m^2/s.");
     chart::Chart chart;
     chart.title = "A top sleeps until its spin falls below the law's";
-    chart.subtitle = "Started 0.06° from upright; how far it leans within 40 s. Verlet, 1/120 s.";
+    chart.subtitle =
+        phrase("Started 0.06° from upright; how far it leans within 40 s. {}, 1/120 s.",
+               methods::verlet);
     chart.x = {"L along its axis over the law's limit"};
     chart.y = {"largest lean [°]", chart::Scale::logarithmic};
     chart.levels_x = {{1, "L₃² = 4 I₁ m g l"}};

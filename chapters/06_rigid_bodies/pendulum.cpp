@@ -3,6 +3,7 @@
 #include <nutshell/lab/stability.hpp>
 #include <nutshell/pendulum_scenes.hpp>
 #include <nutshell/rigid_methods.hpp>
+#include <nutshell/sentence.hpp>
 #include "program.hpp"
 
 namespace nutshell {
@@ -67,10 +68,10 @@ void race(lab::Report& report) {
 }
 
 void limit(lab::Report& report) {
-    report.heading("Verlet's largest step on a hanging body");
+    report.heading(sentence("{}'s largest step on a hanging body", methods::verlet));
     lab::Table table{{"pendulum", "length [m]", "predicted [s]", "found [s]", "off"}, {}};
     chart::Chart chart;
-    chart.title = "The largest step that Verlet bears";
+    chart.title = phrase("The largest step that {} bears", methods::verlet);
     chart.subtitle = "Bodies that hang and swing a little. Dashed: 2/ω; marks: found by runs.";
     chart.x = {"length of the equal pendulum, I/(m r) [m]", chart::Scale::logarithmic};
     chart.y = {"largest stable step [s]", chart::Scale::logarithmic};

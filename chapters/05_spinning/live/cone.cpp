@@ -1,26 +1,28 @@
 // Coning by each method: the tip of the body's x axis and a point beside it, the exact body as a
 // ghost.
-#include <nutshell/live/figure.hpp>
+#include <nutshell/live/run.hpp>
+#include <nutshell/sentence.hpp>
+#include <nutshell/spinning_methods.hpp>
 #include "../drawings.hpp"
 
 namespace nutshell {
 
 namespace {
 
+constexpr std::tuple that_follow_it{methods::exponential_map, methods::exponential_midpoint,
+                                    methods::magnus4, methods::rk4_pose};
+
 class LiveCone : public live::Figure {
   public:
     std::vector<live::Choice> choices() const override {
-        return {{"exponential", "exponential", {Family::exponential, Mark::triangle}},
-                {"midpoint", "exponential midpoint", {Family::exponential, Mark::triangle_down}},
-                {"magnus", "Magnus 4", {Family::exponential, Mark::star}},
-                {"rk4", "RK4", {Family::runge_kutta, Mark::circle}}};
+        return live::choices_of(that_follow_it);
     }
     std::vector<live::Slider> sliders() const override {
         return {{.name = "steps a round", .least = 6, .most = 500, .start = 24, .whole = true}};
     }
     std::vector<live::State> states() const override {
-        return {{.key = "exponential",
-                 .words = "exponential, 24 steps: off",
+        return {{.key = methods::exponential_map.key(),
+                 .words = phrase("{}, 24 steps: off", methods::exponential_map),
                  .setting = {0, {24}},
                  .time = 2},
                 {.key = "midpoint",
@@ -29,7 +31,7 @@ class LiveCone : public live::Figure {
                  .time = 2,
                  .drawn = true},
                 {.key = "magnus",
-                 .words = "Magnus 4, 24 steps: on the path",
+                 .words = phrase("{}, 24 steps: on the path", methods::magnus4),
                  .setting = {2, {24}},
                  .time = 2,
                  .drawn = true}};

@@ -1,6 +1,8 @@
 // A rolling wheel, with the velocity of its points and the path of one of them; turned by first
 // order it slips.
-#include <nutshell/live/figure.hpp>
+#include <nutshell/live/run.hpp>
+#include <nutshell/sentence.hpp>
+#include <nutshell/spinning_methods.hpp>
 #include "../drawings.hpp"
 
 namespace nutshell {
@@ -10,9 +12,7 @@ namespace {
 class LiveRolling : public live::Figure {
   public:
     std::vector<live::Choice> choices() const override {
-        return {
-            {"exponential", "exponential", {Family::exponential, Mark::triangle}},
-            {"first_order", "first order, divided", {Family::explicit_one_step, Mark::circle}}};
+        return live::choices_of(std::tuple{methods::exponential_map, methods::first_order_unit});
     }
     std::vector<live::Slider> sliders() const override {
         return {
@@ -20,7 +20,7 @@ class LiveRolling : public live::Figure {
     }
     std::vector<live::State> states() const override {
         return {{.key = "rolling",
-                 .words = "exponential, 128 steps a turn",
+                 .words = phrase("{}, 128 steps a turn", methods::exponential_map),
                  .setting = {0, {128}},
                  .time = 1.7},
                 {.key = "slipping",

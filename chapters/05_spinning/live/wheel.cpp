@@ -1,5 +1,7 @@
 // A wheel at a steady speed, by each method, with the exact one as a ghost behind it.
-#include <nutshell/live/figure.hpp>
+#include <nutshell/live/run.hpp>
+#include <nutshell/sentence.hpp>
+#include <nutshell/spinning_methods.hpp>
 #include "../drawings.hpp"
 
 namespace nutshell {
@@ -9,33 +11,34 @@ namespace {
 class LiveWheel : public live::Figure {
   public:
     std::vector<live::Choice> choices() const override {
-        return {
-            {"printed",
-             "as printed, rows put right",
-             {Family::explicit_one_step, Mark::triangle_down}},
-            {"first_order", "first order, divided", {Family::explicit_one_step, Mark::circle}},
-            {"exponential", "exponential", {Family::exponential, Mark::triangle}},
-            {"rk4", "RK4", {Family::runge_kutta, Mark::circle}}};
+        return {{"printed",
+                 "as printed, rows put right",
+                 {Family::explicit_one_step, Mark::triangle_down}},
+                live::choice_of(methods::first_order_unit),
+                live::choice_of(methods::exponential_map),
+                live::choice_of(methods::rk4_pose)};
     }
     std::vector<live::Slider> sliders() const override {
         return {{.name = "turn in one step", .unit = "°", .least = 1, .most = 360, .start = 12}};
     }
     std::vector<live::State> states() const override {
-        return {
-            {.key = "first_order",
-             .words = "first order, 120° a step",
-             .setting = {1, {120}},
-             .time = 0.1,
-             .instants = {0, 1.0 / 60, 2.0 / 60, 3.0 / 60, 4.0 / 60, 5.0 / 60}},
-            {.key = "exponential",
-             .words = "exponential, 120° a step",
-             .setting = {2, {120}},
-             .time = 0.1},
-            {.key = "growing",
-             .words = "as printed, 12° a step",
-             .setting = {0, {12}},
-             .time = 1},
-            {.key = "rk4", .words = "RK4 beyond its limit", .setting = {3, {330}}, .time = 0.2}};
+        return {{.key = "first_order",
+                 .words = "first order, 120° a step",
+                 .setting = {1, {120}},
+                 .time = 0.1,
+                 .instants = {0, 1.0 / 60, 2.0 / 60, 3.0 / 60, 4.0 / 60, 5.0 / 60}},
+                {.key = methods::exponential_map.key(),
+                 .words = phrase("{}, 120° a step", methods::exponential_map),
+                 .setting = {2, {120}},
+                 .time = 0.1},
+                {.key = "growing",
+                 .words = "as printed, 12° a step",
+                 .setting = {0, {12}},
+                 .time = 1},
+                {.key = methods::rk4_pose.key(),
+                 .words = phrase("{} beyond its limit", methods::rk4_pose),
+                 .setting = {3, {330}},
+                 .time = 0.2}};
     }
     void begin(const live::Setting& setting) override {
         choice_ = setting.choice;

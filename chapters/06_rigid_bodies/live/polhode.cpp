@@ -30,21 +30,23 @@ class LivePolhode : public live::Figure {
                 {.name = "steps a second", .least = 5, .most = 240, .start = 60, .whole = true}};
     }
     std::vector<live::State> states() const override {
-        return {
-            {.key = "middle",
-             .words = "near the middle axis",
-             .setting = {0, {4, 60}},
-             .time = 7},
-            {.key = "corrected",
-             .words = "with a constant ω in each step",
-             .setting = {2, {4, 60}},
-             .time = 14,
-             .drawn = true},
-            {.key = "engine", .words = "body-frame Euler", .setting = {3, {30, 20}}, .time = 9},
-            {.key = "missing",
-             .words = "without the gyroscopic term",
-             .setting = {4, {30, 60}},
-             .time = 7}};
+        return {{.key = "middle",
+                 .words = "near the middle axis",
+                 .setting = {0, {4, 60}},
+                 .time = 7},
+                {.key = "corrected",
+                 .words = "with a constant ω in each step",
+                 .setting = {2, {4, 60}},
+                 .time = 14,
+                 .drawn = true},
+                {.key = "engine",
+                 .words = methods::engine_step.name,
+                 .setting = {3, {30, 20}},
+                 .time = 9},
+                {.key = "missing",
+                 .words = "without the gyroscopic term",
+                 .setting = {4, {30, 60}},
+                 .time = 7}};
     }
     void begin(const live::Setting& setting) override {
         const double angle = setting.values.at(0) * pi / 180;

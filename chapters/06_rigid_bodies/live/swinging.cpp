@@ -2,6 +2,7 @@
 #include <nutshell/live/run.hpp>
 #include <nutshell/pendulum_scenes.hpp>
 #include <nutshell/rigid_methods.hpp>
+#include <nutshell/sentence.hpp>
 #include "../lever_drawings.hpp"
 
 namespace nutshell {
@@ -34,17 +35,17 @@ class LiveSwinging : public live::Figure {
                  .logarithmic = false}};
     }
     std::vector<live::State> states() const override {
-        return {{.key = "euler",
-                 .words = "Euler, 20 steps a second",
+        return {{.key = methods::euler.key(),
+                 .words = phrase("{}, 20 steps a second", methods::euler),
                  .setting = {0, {0.05, 90}},
                  .time = 1.5},
-                {.key = "verlet",
-                 .words = "Verlet, 20 steps a second",
+                {.key = methods::verlet.key(),
+                 .words = phrase("{}, 20 steps a second", methods::verlet),
                  .setting = {2, {0.05, 90}},
                  .time = 1.5,
                  .drawn = true},
                 {.key = "limit",
-                 .words = "Verlet past its limit",
+                 .words = phrase("{} past its limit", methods::verlet),
                  .setting = {2, {0.527, 2}},
                  .time = 12}};
     }

@@ -1,6 +1,7 @@
 // A thrown spanner: its centre draws a parabola, whatever the rest of it does.
 #include <nutshell/live/run.hpp>
 #include <nutshell/rigid_methods.hpp>
+#include <nutshell/sentence.hpp>
 #include "../top_drawings.hpp"
 
 namespace nutshell {
@@ -30,7 +31,10 @@ class LiveThrown : public live::Figure {
                  .words = "without the gyroscopic term",
                  .setting = {4, {60}},
                  .time = 1},
-                {.key = "coarse", .words = "Verlet, 15 steps", .setting = {1, {15}}, .time = 1}};
+                {.key = "coarse",
+                 .words = phrase("{}, 15 steps", methods::verlet),
+                 .setting = {1, {15}},
+                 .time = 1}};
     }
     void begin(const live::Setting& setting) override {
         rate_ = std::round(setting.values.at(0));

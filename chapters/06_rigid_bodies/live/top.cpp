@@ -1,6 +1,7 @@
 // A heavy top: it nods, goes round steadily, sleeps or wakes, by how it is started.
 #include <nutshell/live/run.hpp>
 #include <nutshell/rigid_methods.hpp>
+#include <nutshell/sentence.hpp>
 #include "../top_drawings.hpp"
 
 namespace nutshell {
@@ -61,8 +62,8 @@ class LiveTop : public live::Figure {
                  .words = "without the gyroscopic term",
                  .setting = {5, {30, 30, slow, 60}},
                  .time = 2},
-                {.key = "rk4",
-                 .words = "RK4, 30 steps a second",
+                {.key = methods::rk4.key(),
+                 .words = phrase("{}, 30 steps a second", methods::rk4),
                  .setting = {3, {30, 30, 0, 30}},
                  .time = 9}};
     }
