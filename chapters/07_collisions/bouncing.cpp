@@ -3,6 +3,7 @@
 #include <nutshell/bouncing_methods.hpp>
 #include <nutshell/chart/chart.hpp>
 #include <nutshell/lab/run.hpp>
+#include <nutshell/sentence.hpp>
 #include "program.hpp"
 
 namespace nutshell {
@@ -153,7 +154,7 @@ void bad_floors(lab::Report& report) {
     BouncingBall rest;
     rest.g = 9.8;
     const double dt = 0.008;
-    chart::Series jitter{"as printed"};
+    chart::Series jitter{methods::bounce_printed.name};
     jitter.look = methods::bounce_printed.look, jitter.draw = chart::Draw::line;
     Particle body{1};
     double highest = 0;
@@ -174,7 +175,7 @@ void bad_floors(lab::Report& report) {
     report.number("jitter.height", 1000 * highest, "mm");
     report.number("jitter.every", static_cast<double>(steps - 1000) / static_cast<double>(sent),
                   "steps");
-    report.say("As printed a ball at rest on the floor jumps " +
+    report.say(sentence("{} a ball at rest on the floor jumps ", methods::bounce_printed) +
                lab::rounded(1000 * highest, "%.1f") + " mm high for ever (dt = 0.008 s)");
 
     BouncingBall elastic;
@@ -192,8 +193,7 @@ void bad_floors(lab::Report& report) {
             most = std::max(most, now / start);
         });
         report.number("elastic." + key, most);
-        report.say(std::string(method.name) + ": " + lab::rounded(most) +
-                   " times the energy after 20 s");
+        report.say(phrase("{}: ", method) + lab::rounded(most) + " times the energy after 20 s");
         energies.push_back(series);
     };
     energy(methods::bounce_pushed, "pushed");

@@ -1,7 +1,8 @@
 // The bouncing ball by each of the ways to bounce, with the exact one as a ghost; time runs to the
 // right.
 #include <nutshell/bouncing_methods.hpp>
-#include <nutshell/live/figure.hpp>
+#include <nutshell/live/run.hpp>
+#include <nutshell/sentence.hpp>
 #include "../drawings.hpp"
 
 namespace nutshell {
@@ -11,10 +12,7 @@ namespace {
 class LiveBounce : public live::Figure {
   public:
     std::vector<live::Choice> choices() const override {
-        return {{"events", "event-driven", methods::bounce_events.look},
-                {"steps", "time-stepping", methods::bounce_steps.look},
-                {"pushed", "pushed out", methods::bounce_pushed.look},
-                {"printed", "as printed", methods::bounce_printed.look}};
+        return live::choices_of(bouncing_methods);
     }
     std::vector<live::Slider> sliders() const override {
         return {{.name = "steps a second",
@@ -32,7 +30,7 @@ class LiveBounce : public live::Figure {
     }
     std::vector<live::State> states() const override {
         return {{.key = "steps",
-                 .words = "time-stepping, 60 steps a second",
+                 .words = phrase("{}, 60 steps a second", methods::bounce_steps),
                  .setting = {1, {60, 0.9}},
                  .time = 3},
                 {.key = "events",
@@ -44,7 +42,7 @@ class LiveBounce : public live::Figure {
                  .setting = {3, {60, 0.9}},
                  .time = 3},
                 {.key = "pushed",
-                 .words = "pushed out, elastic",
+                 .words = phrase("{}, elastic", methods::bounce_pushed),
                  .setting = {2, {60, 1}},
                  .time = 3}};
     }
