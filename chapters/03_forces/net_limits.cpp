@@ -1,6 +1,7 @@
 // The step at which a chain and a cloth fly apart: by formula, by their fastest mode, by running.
 #include <algorithm>
 #include <nutshell/chart/chart.hpp>
+#include <nutshell/sentence.hpp>
 #include "method_limits.hpp"
 #include "scale.hpp"
 
@@ -61,7 +62,9 @@ void limits_of_methods(lab::Report& report, const SpringNet& a_chain, const Spri
 }  // namespace
 
 void net_limits(lab::Report& report) {
-    report.heading("The largest step of Verlet [s]: by formula, by the fastest mode, by running");
+    report.heading(
+        phrase("The largest step of {} [s]: by formula, by the fastest mode, by running",
+               methods::verlet));
     constexpr double mass = 0.02, stiffness = 50;
     lab::Table table{{"scene",
                       {"formula", "%.6f"},
