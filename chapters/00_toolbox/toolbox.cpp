@@ -1,7 +1,7 @@
 // The toolbox's charts and numbers.  ./course run 0  runs it; results in out/00_toolbox.
 #include <nutshell/chart/chart.hpp>
 #include <nutshell/chart/diagram.hpp>
-#include <nutshell/lab/output.hpp>
+#include <nutshell/lab/parts.hpp>
 #include <nutshell/toolbox.hpp>
 
 namespace nutshell {
@@ -196,12 +196,12 @@ void newton(lab::Report& report) {
 }  // namespace nutshell
 
 int main(int argc, char** argv) {
-    return nutshell::lab::program(argc, argv, "00_toolbox", [](nutshell::lab::Report& report) {
-        nutshell::products(report);
-        nutshell::slopes(report);
-        nutshell::growth(report);
-        nutshell::turns(report);
-        nutshell::matrices(report);
-        nutshell::newton(report);
-    });
+    using namespace nutshell;
+    return lab::program(argc, argv, "00_toolbox",
+                        {{"products", products},
+                         {"slopes", slopes},
+                         {"growth", growth},
+                         {"turns", turns},
+                         {"matrices", matrices},
+                         {"newton", newton}});
 }

@@ -31,13 +31,13 @@ void limits_table(lab::Report& report) {
                 cells.push_back("");
                 continue;
             }
-            const long steps = std::max(10'000L, theory.steps_to_grow(3e3, c.omega, c.nu));
+            const long steps = std::max(10'000L, theory.steps_to_grow(300, c.omega, c.nu));
             const auto stable = [&](double dt) {
-                return lab::stays_within(spring_of(c.omega, c.nu), method, dt, steps, 1000,
+                return lab::stays_within(spring_of(c.omega, c.nu), method, dt, steps, 100,
                                          [](const auto& s) { return size_of(s); });
             };
             const double found =
-                lab::stability_limit(stable, predicted / 2, predicted * 1.1, 1e-3);
+                lab::stability_limit(stable, 0.98 * predicted, 1.02 * predicted, 1e-3);
             const std::string key = "limit." + method.key() + "." + c.key;
             report.number(key, predicted, "", "limits.csv");
             report.number(key + ".found", found, "", "limits.csv");

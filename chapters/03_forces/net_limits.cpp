@@ -16,7 +16,7 @@ double measured_limit(const Scene& small, const Method& method, double expected)
         return lab::stays_within(small, method, dt, 1000, 1e-6,
                                  [](const auto& s) { return fastest_speed(s); });
     };
-    return lab::stability_limit(stable, 0.8 * expected, 1.2 * expected, 1e-4);
+    return lab::stability_limit(stable, 0.95 * expected, 1.05 * expected, 5e-4);
 }
 
 /// Every conditionally stable method on a chain and a cloth, as omega dt with omega of the

@@ -1,29 +1,31 @@
 // Chapter 7 · Collisions.  ./course run 7  runs it; results in out/07_collisions.
+#include <nutshell/lab/parts.hpp>
 #include "program.hpp"
 
 int main(int argc, char** argv) {
-    return nutshell::lab::program(argc, argv, "07_collisions", [](nutshell::lab::Report& report) {
-        // 07_collisions: impacts and friction
-        nutshell::head_on(report);
-        nutshell::glancing(report);
-        nutshell::pool(report);
-        nutshell::bouncing(report);
-        nutshell::bad_floors(report);
-        nutshell::too_fast(report);
-        nutshell::levers(report);
-        nutshell::gaining(report);
-        nutshell::friction(report);
-        nutshell::cradle(report);
-        nutshell::pictures(report);
-        // 07a_piles: rest, stacks, piles, the universe
-        nutshell::stack(report);
-        nutshell::switches(report);
-        nutshell::pile(report);
-        nutshell::dominoes(report);
-        nutshell::universe(report);
-        nutshell::rest_diagrams(report);
-        nutshell::rest_pictures(report);
-        // 07b_arch: a side road, convex pieces
-        nutshell::arch(report);
-    });
+    using namespace nutshell;
+    return lab::program(argc, argv, "07_collisions",
+                        {// 07_collisions: impacts and friction
+                         {"head on", head_on},
+                         {"glancing", glancing},
+                         {"pool", pool},
+                         {"bouncing", bouncing},
+                         {"bad floors", bad_floors},
+                         {"too fast", too_fast},
+                         {"levers", levers},
+                         {"gaining", gaining},
+                         {"friction", friction},
+                         {"cradle", cradle},
+                         {"pictures", pictures},
+                         // 07a_piles: rest, stacks, piles, the universe
+                         {"stack", stack},
+                         {"switches", switches},
+                         {"pile", pile},
+                         {"pile cost", pile_cost},
+                         {"dominoes", dominoes},
+                         {"universe", universe},
+                         {"rest diagrams", rest_diagrams},
+                         {"rest pictures", rest_pictures},
+                         // 07b_arch: a side road, convex pieces
+                         {"arch", arch}});
 }

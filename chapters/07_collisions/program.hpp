@@ -23,6 +23,7 @@ void pictures(lab::Report& report);
 void stack(lab::Report& report);
 void switches(lab::Report& report);
 void pile(lab::Report& report);
+void pile_cost(lab::Report& report);
 void dominoes(lab::Report& report);
 void universe(lab::Report& report);
 void rest_diagrams(lab::Report& report);

@@ -156,8 +156,4 @@ int program(int argc, char** argv, const std::string& name, const std::vector<Pa
     }
 }
 
-int program(int argc, char** argv, const std::string& name, const std::function<void(Report&)>& chapter) {
-    return program(argc, argv, name, std::vector<Part>{{name.c_str(), chapter}});
-}
-
 }  // namespace nutshell::lab

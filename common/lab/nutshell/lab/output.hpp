@@ -1,7 +1,6 @@
 // Where a chapter's program puts its results: files that are whole or absent, and numbers the book can quote.
 #pragma once
 #include <filesystem>
-#include <functional>
 #include <nutshell/lab/table.hpp>
 #include <nutshell/write_file.hpp>
 #include <set>
@@ -52,10 +51,5 @@ class Report {
     std::set<std::string> names_;
     std::vector<std::string> files_;
 };
-
-/// The frame of every chapter's main: reads `--out DIR` (default out/NAME), runs the chapter, and turns an
-/// exception into one line on stderr. @return the exit code: 0, 1 if the chapter failed, 2 if the arguments
-/// are wrong
-int program(int argc, char** argv, const std::string& name, const std::function<void(Report&)>& chapter);
 
 }  // namespace nutshell::lab

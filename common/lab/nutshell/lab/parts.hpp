@@ -1,5 +1,6 @@
-// The frame of a chapter's main whose parts stand by themselves.
+// The frame of a chapter's main: parts that stand by themselves.
 #pragma once
+#include <functional>
 #include <nutshell/lab/output.hpp>
 
 namespace nutshell::lab {
@@ -10,7 +11,8 @@ struct Part {
     std::function<void(Report&)> run;
 };
 
-/// The frame of a chapter's main, as `program` of one function, part by part. For a learner's code:
+/// The frame of every chapter's main: reads `--out DIR` (default out/NAME), runs part by part, and turns an
+/// exception into one line on stderr. For a learner's code:
 /// `--points DIR` keeps the points of every chart; `--beside DIR --yours WORDS` draws every chart beside
 /// those kept in DIR and says whose it is; a part that cannot be measured then is a sentence, and the others
 /// run all the same. `--touched FILE` writes which bodies of exercises each part ran (touched.hpp), a line

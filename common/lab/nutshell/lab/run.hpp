@@ -131,7 +131,7 @@ void keep(const Value& value) {
 /// Processor time of `work()` [s]: the least of `rounds` rounds, each repeated until it lasts
 /// `least_seconds`.
 template <class Work>
-double time_of(const Work& work, int rounds = 3, double least_seconds = 2e-3) {
+double time_of(const Work& work, int rounds = 3, double least_seconds = 1e-3) {
     double best = std::numeric_limits<double>::infinity();
     long repeats = 1;
     for (int round = 0; round < rounds;) {
