@@ -21,11 +21,12 @@ bool is_error(const std::string& text, std::smatch& found) {
     return std::regex_match(text, found, error);
 }
 
-/// All that was said, in lines short enough for a regular expression (a learner's line may have any length).
+/// All that was said, in lines short enough for a regular expression (a learner's line may have any length):
+/// of a long one the begin and the end, where a compiler says from what to what it cannot convert.
 std::vector<std::string> short_lines(const std::string& said) {
     auto lines = lines_of(said);
     for (auto& line : lines)
-        if (line.size() > 1000) line.resize(1000);
+        if (line.size() > 1000) line.replace(600, line.size() - 1000, " ... ");
     return lines;
 }
 

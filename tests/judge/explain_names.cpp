@@ -65,7 +65,7 @@ constexpr Pair dictionary[] = {
     {"tg", "std::tan"},
     {"Mathf", "std:: for it: std::sqrt, std::cos, pi"},
     {"sum", "a loop for it, begun by for (const auto& each : list)"},
-    {"len", "list.size()"},
+    {"len", "list.size(), and v.norm() for the length of a vector"},
     {"range", "for (int i = 0; i < n; ++i)"},
     {"foreach", "for (const auto& each : list)"},
     {"final", "const"},
@@ -104,6 +104,17 @@ constexpr Pair members[] = {
     {"Z", "z()"},
     {"W", "w()"},
 };
+
+/// What quaternions are asked for; the course has functions for it.
+constexpr Pair of_quaternions[] = {
+    {"log", "logarithm(q)"},       {"exp", "exponential(u)"}, {"mul", "product(a, b)"},
+    {"multiply", "product(a, b)"}, {"inv", "inverse(q)"},     {"rotate", "rotate(q, v)"},
+    {"length", "q.norm()"},        {"magnitude", "q.norm()"}, {"conj", "q.conjugate()"}};
+
+/// What lists are asked for under another name.
+constexpr Pair of_lists[] = {{"append", "push_back(x)"}, {"add", "push_back(x)"}, {"Add", "push_back(x)"},
+                             {"push", "push_back(x)"},   {"length", "size()"},    {"Length", "size()"},
+                             {"count", "size()"},        {"Count", "size()"},     {"len", "size()"}};
 
 template <std::size_t N>
 std::string in(const Pair (&table)[N], const std::string& name) {
@@ -200,7 +211,15 @@ std::optional<std::string> unknown_member(const std::string& message, const Reac
         !other.empty() && (vector || contains(message, "expression")))
         return "A " + (contains(type, "Matrix") ? type : "vector") + " has no " + name + ": Eigen calls it " +
                other + ".";
-    if (contains(type, "span") || contains(type, "vector<") || type == "std::span" || type == "std::vector")
+    if (const std::string other = in(of_quaternions, name); !other.empty() && contains(type, "Quaternion"))
+        return "A Quaternion has no " + name + ": write " + other + ".";
+    if (contains(type, "array") && (name == "push_back" || starts_with(in(of_lists, name), "push_back")))
+        return "A std::array has a fixed size, and nothing can be put behind it: its entries are a[0], a[1], "
+               "...";
+    const bool list = contains(type, "span") || contains(type, "vector");
+    if (const std::string other = in(of_lists, name); !other.empty() && (list || contains(type, "array")))
+        return "A list has no " + name + ": in C++ it is " + other + ".";
+    if (list)
         return "A list has no member called " + name + ": go through it with  for (const auto& each : list).";
     std::vector<std::string> all;
     for (const auto& member : reach.members) all.push_back(member.substr(member.find('.') + 1));

@@ -70,7 +70,7 @@ constexpr Rule rules[] = {
      "No type is called $1$2$3 here: is it spelled right, and is its header included?"},
     {R"('(?:const )?(?:struct |class )?([\w:]+)(?:.*)' has no member named '(\w+)'(?:; did you mean '(\w+)')?|no member named '(\w+)' in '(.*)')",
      "$1$5 has no member called $2$4."},
-    {R"(in read-only object|is read-only|discards qualifiers|cannot assign to|no match for 'operator.?=' \(operand types are 'const )",
+    {R"(in read-only object|is read-only|discards qualifiers|cannot assign to|no match for 'operator[-+*/]?=' \(operand types are 'const )",
      says_const},
     {R"(no match for '(operator.*?)' \(operand types are '(.*)' and '(.*)'\)|invalid operands of types '(.*)' and '(.*)')",
      "These two cannot be joined like this: $2$4 and $3$5."},
@@ -79,6 +79,14 @@ constexpr Rule rules[] = {
     {R"(YOU_MIXED_MATRICES_OF_DIFFERENT_SIZES|INVALID_MATRIX_PRODUCT|INVALID_VECTOR_VECTOR_PRODUCT)",
      "Vectors or matrices of sizes that do not fit are joined here. For two vectors: .dot() gives a number, "
      ".cross() a vector, .cwiseProduct() the products of their components."},
+    {R"(from '<brace-enclosed initializer list>' to '(?:const )?(\w+))",
+     "No $1 can be made of what stands in these braces: there are too many or too few values, in another "
+     "order, "
+     "or of other types."},
+    {R"(wrong number of template arguments \((\d+), should be (?:at least )?(\d+)\))",
+     "In angle brackets stand $1 things, and this type takes $2: a std::array has a type and a size, and "
+     "double "
+     "is the type."},
     {R"(cannot convert '(.*)' to '(.*)'|conversion from '(.*)' to non-scalar type '(.*)'|could not convert from '(.*)' to '(.*)'|no viable conversion from (?:returned value of type )?'(.*)' to (?:function return type )?'(.*)')",
      "A value of type $1$3$5$7 stands where a $2$4$6$8 is needed."},
     {R"(invalid initialization of (?:non-const )?reference of type '(?:const )?(\w+)&' from (?:an rvalue|expression) of type '(.*)')",
