@@ -164,7 +164,7 @@ std::optional<Finding> wrong_somewhere(const Evidence& evidence) {
             return {{"wrong where " + name + " is large",
                      {also + size + " is large: right up to " + digits(good.largest, "%.4g") +
                       ", wrong from " + digits(bad.least, "%.4g") + " on."}}};
-        if (bad.zeros == 0 && bad.least < good.least && bad.largest > good.largest &&
+        if (bad.zeros == 0 && 3 * bad.least < good.least && bad.largest > 3 * good.largest &&
             std::none_of(bad.sizes.begin(), bad.sizes.end(),
                          [&](double each) { return each >= good.least && each <= good.largest; }))
             return {{"wrong where " + name + " is very small or very large",

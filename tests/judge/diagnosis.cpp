@@ -144,7 +144,9 @@ Finding explained(const Evidence& evidence, const std::optional<Finding>& in_par
             for (auto& more : what_is_right(evidence, true)) finding->words.push_back(std::move(more));
             return *finding;
         }
-    if (auto finding = wrong_somewhere(evidence)) {
+    for (const auto told : {wrong_somewhere, special_inputs}) {
+        auto finding = told(evidence);
+        if (!finding) continue;
         auto more = what_is_right(evidence, true);
         std::set<std::string> names, wrong;
         for (const auto& output : evidence.reference.outputs) names.insert(output.name);

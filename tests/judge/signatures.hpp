@@ -38,6 +38,8 @@ std::optional<Finding> one_factor(const Evidence& evidence);  ///< of the values
 std::optional<Finding> one_offset(const Evidence& evidence);
 /// Right for all inputs but those where an argument is zero, negative, small or large.
 std::optional<Finding> wrong_somewhere(const Evidence& evidence);
+/// Wrong, or right, only for inputs whose numbers have something in common.
+std::optional<Finding> special_inputs(const Evidence& evidence);
 /// From the runs at h, h/2 and h/4: does the error against the exact solution shrink, and how fast?
 std::optional<Finding> wrong_order(const Evidence& evidence);
 

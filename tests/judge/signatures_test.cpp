@@ -185,3 +185,33 @@ TEST_CASE("A step in which dt does not enter is as wrong for a short step as for
     CHECK(diagnose(nameless, record_of(exercises::asked<Growing>(right)), yours).name ==
           "as wrong for a short step as for a long one");
 }
+
+namespace {
+
+/// Two numbers, each with each.
+struct OfTwoNumbers {
+    template <class Answer>
+    static void ask(Paper& paper, const Answer& answer) {
+        for (const double a : {-2.0, -1.1, 0.5, 1.0, 3.1})
+            for (const double b : {0.3, 0.9, 2.2}) {
+                paper.input("a", a, "b", b);
+                paper.output("the result", answer(a, b), 6.0);
+            }
+    }
+};
+
+double sum_of(double a, double b) {
+    return a + b;
+}
+
+}  // namespace
+
+TEST_CASE("What the inputs have in common for which an answer is wrong, unless chance would do") {
+    const auto told = [](const auto& answer) { return diagnosed<OfTwoNumbers>(sum_of, answer).name; };
+    CHECK(told([](double a, double b) { return a < 0 && b > 0.5 ? b : a + b; }) ==
+          "wrong only where a is negative");
+    CHECK(told([](double a, double b) { return a * a + b; }) == "right only where a is one");
+    CHECK(told([](double a, double b) { return std::abs(a) < 2 * b ? a + b : std::sin(a - b); }) ==
+          "wrong where a over b is large");
+    CHECK(told([](double a, double b) { return b > 2 && a != 0.5 && a < 2 ? a : a + b; }) == "wrong formula");
+}

@@ -93,27 +93,28 @@ std::optional<Finding> special_inputs(const Evidence& evidence) {
         }
     if (by_itself) return by_itself;
     if (best && least * tries < 0.25) return best;
-    if (chance(bad, bad, total) * static_cast<double>(numbers.size()) > 0.25) return std::nullopt;
-    for (const bool ratio : {true, false})
-        for (std::size_t a = 0; a < numbers.size(); ++a)
-            for (std::size_t b = ratio ? 0 : a + 1; b < numbers.size(); ++b) {
-                if (a == b || !numbers[a].whole || !numbers[b].whole) continue;
-                double right_up_to = 0, wrong_from = std::numeric_limits<double>::infinity();
-                for (std::size_t i = 0; i < total; ++i) {
-                    const double x = std::abs(numbers[a].of_input[i]), y = std::abs(numbers[b].of_input[i]),
-                                 size = ratio ? x / y : x * y;
-                    if (wrong.count(i))
-                        wrong_from = std::min(wrong_from, size);
-                    else
-                        right_up_to = std::max(right_up_to, size);
-                }
-                const std::string what = numbers[a].name + (ratio ? " over " : " times ") + numbers[b].name;
-                if (right_up_to < wrong_from)
-                    return {
-                        {"wrong where " + what + " is large",
-                         {"It depends on " + what + ": up to " + digits(right_up_to, "%.4g") +
-                          " your answer is right, from " + digits(wrong_from, "%.4g") + " on it is wrong."}}};
-            }
+    if (numbers.size() != 2 || std::min(bad, good) < 3) return std::nullopt;  // of more, too many pairs
+    const auto &x = numbers[0].of_input, &y = numbers[1].of_input;
+    for (const auto& [what, size_of] :
+         {std::pair{numbers[0].name + " over " + numbers[1].name,
+                    +[](double first, double second) { return std::abs(first / second); }},
+          std::pair{numbers[1].name + " over " + numbers[0].name,
+                    +[](double first, double second) { return std::abs(second / first); }},
+          std::pair{numbers[0].name + " times " + numbers[1].name,
+                    +[](double first, double second) { return std::abs(first * second); }}}) {
+        double right_up_to = 0, wrong_from = std::numeric_limits<double>::infinity();
+        for (std::size_t i = 0; i < total; ++i) {
+            const double size = size_of(x[i], y[i]);
+            if (wrong.count(i) || std::isnan(size))
+                wrong_from = std::isnan(size) ? 0 : std::min(wrong_from, size);
+            else
+                right_up_to = std::max(right_up_to, size);
+        }
+        if (right_up_to < wrong_from)
+            return {{"wrong where " + what + " is large",
+                     {"It depends on " + what + ": up to " + digits(right_up_to, "%.4g") +
+                      " your answer is right, from " + digits(wrong_from, "%.4g") + " on it is wrong."}}};
+    }
     return std::nullopt;
 }
 
