@@ -90,7 +90,20 @@ struct LargestFactor {
                   [](const Matrix2& A) -> double {
                       const double h = A.trace() / 2, d = A.determinant();
                       return A.norm() + 0 * h * d;
-                  }}},
+                  }},
+                 {"the longest stretch of one step", "classic: singular value for eigenvalue",
+                  "Stable steps are forbidden.",
+                  "You return how much a single step can stretch a vector at most, the largest "
+                  "singular value. What many steps do is told by the larger eigenvalue.",
+                  [](const Matrix2& A) -> double {
+                      const Matrix2 S = A.transpose() * A;
+                      const double h = S.trace() / 2;
+                      return std::sqrt(h + std::sqrt(std::max(0.0, h * h - S.determinant())));
+                  }},
+                 {"the entries of the diagonal", "classic", "What explodes is called stable.",
+                  "You take the larger entry of the diagonal. It is an eigenvalue only if one of "
+                  "the two entries beside it is zero.",
+                  [](const Matrix2& A) -> double { return A.diagonal().cwiseAbs().maxCoeff(); }}},
             .alternatives = {{"in complex numbers",
                               [](const Matrix2& A) -> double {
                                   const Complex root = std::sqrt(

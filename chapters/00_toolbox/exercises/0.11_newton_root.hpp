@@ -17,7 +17,8 @@ struct NewtonRoot {
                                           {0.7, 2.6, 3},
                                           {2.0, 9.0, 6},
                                           {0.7, 2.6, 1},
-                                          {2.0, 3.4, 1}}) {
+                                          {2.0, 3.4, 1},
+                                          {9.0, -1.0, 3}}) {
             const auto f = [c = c](double at) { return at * at * at - c * at - 5; };
             const auto df = [c = c](double at) { return 3 * at * at - c; };
             paper.input("f", "x^3 - c x - 5", "c", c, "x", x, "turns", turns);
@@ -101,6 +102,14 @@ struct NewtonRoot {
                   "You leave the loop where f is small. The caller says how many turns.",
                   [](const auto& f, const auto& df, double x, int turns) -> double {
                       for (int i = 0; i < turns && std::abs(f(x)) > 1e-6; ++i) x -= f(x) / df(x);
+                      return x;
+                  }},
+                 {"a negative value taken for a small one", "classic: an abs forgotten",
+                  "Some joints stop far from where they should close.",
+                  "You leave the loop where f is less than a small number. What is negative is "
+                  "less too, however far from zero; and the caller says how many turns.",
+                  [](const auto& f, const auto& df, double x, int turns) -> double {
+                      for (int i = 0; i < turns && f(x) > 1e-6; ++i) x -= f(x) / df(x);
                       return x;
                   }}},
             .alternatives = {{"counting down",

@@ -29,32 +29,44 @@ struct PartAlong {
                       "apart.",
                       "Multiply component by component and add: the dot product."},
             .picture = "dot.svg",
-            .mistakes = {{"always positive", "classic: a length instead of a part",
-                          "A ball that leaves a wall is turned round again and sticks to it.",
-                          "You return a size. The part along n is negative when v points against "
-                          "n, and the sign says whether a ball comes or leaves.",
-                          [](const Vector3& v, const Vector3& n) -> double {
-                              return std::abs(v.dot(n));
-                          }},
-                         {"the part at right angles", "classic: the other product",
-                          "A ball glides along the wall that it should bounce off.",
-                          "That is the length of the cross product: how much of v points past n. "
-                          "The part along n is the dot product.",
-                          [](const Vector3& v, const Vector3& n) -> double {
-                              return v.cross(n).norm();
-                          }},
-                         {"the cosine", "classic", "Fast and slow things bounce alike.",
-                          "You divide by the length of v and return the cosine of the angle. The "
-                          "part along n is |v| times the cosine.",
-                          [](const Vector3& v, const Vector3& n) -> double {
-                              return v.dot(n) / v.norm();
-                          }},
-                         {"the whole length", "classic",
-                          "A glancing hit is as hard as a full one.",
-                          "You return the length of v, whatever n is.",
-                          [](const Vector3& v, const Vector3& n) -> double {
-                              return v.norm() + 0 * n.x();
-                          }}},
+            .mistakes =
+                {{"always positive", "classic: a length instead of a part",
+                  "A ball that leaves a wall is turned round again and sticks to it.",
+                  "You return a size. The part along n is negative when v points against "
+                  "n, and the sign says whether a ball comes or leaves.",
+                  [](const Vector3& v, const Vector3& n) -> double {
+                      return std::abs(v.dot(n));
+                  }},
+                 {"the part at right angles", "classic: the other product",
+                  "A ball glides along the wall that it should bounce off.",
+                  "That is the length of the cross product: how much of v points past n. "
+                  "The part along n is the dot product.",
+                  [](const Vector3& v, const Vector3& n) -> double { return v.cross(n).norm(); }},
+                 {"the cosine", "classic", "Fast and slow things bounce alike.",
+                  "You divide by the length of v and return the cosine of the angle. The "
+                  "part along n is |v| times the cosine.",
+                  [](const Vector3& v, const Vector3& n) -> double {
+                      return v.dot(n) / v.norm();
+                  }},
+                 {"the whole length", "classic", "A glancing hit is as hard as a full one.",
+                  "You return the length of v, whatever n is.",
+                  [](const Vector3& v, const Vector3& n) -> double {
+                      return v.norm() + 0 * n.x();
+                  }},
+                 {"the angle seen in the plane", "classic: atan2 in space",
+                  "What comes from above bounces as if from the side.",
+                  "You take the angle between the two from x and y alone. In space z is a part "
+                  "of it.",
+                  [](const Vector3& v, const Vector3& n) -> double {
+                      return v.norm() *
+                             std::cos(std::atan2(v.y(), v.x()) - std::atan2(n.y(), n.x()));
+                  }},
+                 {"x and y only", "classic: a plane's formula in space",
+                  "A ball that falls along z never meets its floor.",
+                  "You leave z out. The dot product has three terms.",
+                  [](const Vector3& v, const Vector3& n) -> double {
+                      return v.head<2>().dot(n.head<2>());
+                  }}},
             .alternatives = {{"three products added",
                               [](const Vector3& v, const Vector3& n) -> double {
                                   return v.x() * n.x() + v.y() * n.y() + v.z() * n.z();

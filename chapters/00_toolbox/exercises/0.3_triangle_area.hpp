@@ -66,6 +66,15 @@ struct TriangleArea {
                           "of the sum of their squares.",
                           [](const Vector3& a, const Vector3& b) -> double {
                               return std::abs(a.cross(b).sum()) / 2;
+                          }},
+                         {"Heron with the whole perimeter", "classic: s is half of it",
+                          "Areas are many times too large.",
+                          "You use Heron's formula with the sum of the three sides. It works "
+                          "with half of that sum.",
+                          [](const Vector3& a, const Vector3& b) -> double {
+                              const double p = a.norm(), q = b.norm(), r = (b - a).norm(),
+                                           s = p + q + r;
+                              return std::sqrt(s * (s - p) * (s - q) * (s - r));
                           }}},
             .alternatives = {{"from the angle",
                               [](const Vector3& a, const Vector3& b) -> double {

@@ -15,6 +15,8 @@ struct AreaUnder {
             for (const auto& [slant, a, b] : {std::tuple{2.0, -0.4, 2.1},
                                               {2.0, -0.4, 0.9},
                                               {2.0, 0.3, 2.1},
+                                              {2.0, -2.6, 2.1},   // below zero at first
+                                              {2.0, -2.6, -1.9},  // below zero all the way
                                               {-1.2, -0.4, 2.1}}) {
                 const auto cubic = [c = slant](double x) { return x * x * x - c * x + 3; };
                 paper.input("f", "x^3 - c x + 3", "c", slant, "a", a, "b", b, "strips", strips);
@@ -114,6 +116,16 @@ struct AreaUnder {
                       const double w = (b - a) / strips;
                       double sum = 0;
                       for (int i = 0; i < strips - 1; ++i) sum += f(a + (i + 0.5) * w) * w;
+                      return sum;
+                  }},
+                 {"every strip counted as positive", "classic: an area is never negative",
+                  "A car that rolls back gets ever farther away.",
+                  "You take the size of each height. Where f is below zero its strip is taken "
+                  "away: it has a minus by itself.",
+                  [](const auto& f, double a, double b, int strips) -> double {
+                      const double w = (b - a) / strips;
+                      double sum = 0;
+                      for (int i = 0; i < strips; ++i) sum += std::abs(f(a + (i + 0.5) * w)) * w;
                       return sum;
                   }}},
             .alternatives = {{"walking along",

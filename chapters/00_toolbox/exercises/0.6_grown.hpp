@@ -15,6 +15,7 @@ struct Grown {
                                          {3.0, -0.7, 2.3},
                                          {3.0, 0.4, 0.6},
                                          {3.0, 0.4, 2.3},
+                                         {-1.8, 0.4, 2.3},
                                          {8.5, -0.7, 0.6}}) {
             paper.input("y", y, "rate", rate, "t", t);
             const double left = answer(y, rate, t);
@@ -97,6 +98,13 @@ struct Grown {
                   "You count in powers of ten. The base is e: std::exp(rate * t).",
                   [](double y, double rate, double t) -> double {
                       return y * std::pow(10, rate * t);
+                  }},
+                 {"a constant added", "classic: y = e^x + C",
+                  "Large things lose as little as small ones.",
+                  "You add a constant to the exponential so that it begins at y. Then it does "
+                  "not change by rate times what is there: y multiplies the exponential.",
+                  [](double y, double rate, double t) -> double {
+                      return std::exp(rate * t) + y - 1;
                   }}},
             .alternatives = {{"a power of e",
                               [](double y, double rate, double t) -> double {

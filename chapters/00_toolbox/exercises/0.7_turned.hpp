@@ -77,6 +77,19 @@ struct Turned {
                   "from x.",
                   [](Complex z, double angle) -> Complex {
                       return {z.real() * std::cos(angle), z.imag() * std::sin(angle)};
+                  }},
+                 {"the i forgotten", "classic: e to a real power",
+                  "The wheel grows and never turns.",
+                  "You multiply by e to the angle, a real number, which makes the point longer "
+                  "and never turns it. The i is missing.",
+                  [](Complex z, double angle) -> Complex { return z * std::exp(angle); }},
+                 {"the angle of the point by the arc cosine", "classic: acos for atan2",
+                  "What is below is turned as if it were above.",
+                  "You find the angle of the point by an arc cosine. It cannot tell a point "
+                  "below the axis from the one above; std::arg can, and multiplying needs no "
+                  "angle of the point.",
+                  [](Complex z, double angle) -> Complex {
+                      return std::polar(std::abs(z), std::acos(z.real() / std::abs(z)) + angle);
                   }}},
             .alternatives = {{"polar",
                               [](Complex z, double angle) -> Complex {

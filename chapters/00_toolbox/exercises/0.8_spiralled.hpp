@@ -11,7 +11,7 @@ struct Spiralled {
 
     template <class Answer>
     static void ask(Paper& paper, const Answer& answer) {
-        const Complex one{1.2, 0.7}, other{-0.6, 1.1}, slow{-0.4, 1.9}, fast{0.3, -0.8};
+        const Complex one{1.2, 0.7}, other{-0.6, -1.1}, slow{-0.4, 1.9}, fast{0.3, -0.8};
         for (const auto& [z, lambda, t] : {std::tuple{one, slow, 1.4},
                                            {one, fast, 1.4},
                                            {other, slow, 1.4},
@@ -99,6 +99,21 @@ struct Spiralled {
                   "imaginary part the turn.",
                   [](Complex z, Complex lambda, double t) -> Complex {
                       return z * std::exp(lambda.imag() * t) * std::polar(1.0, lambda.real() * t);
+                  }},
+                 {"size and angle of lambda for its parts", "classic: polar for Cartesian",
+                  "What should fade explodes.",
+                  "You grow by the size of lambda and turn by its argument. The growth is its "
+                  "real part, the turn its imaginary part.",
+                  [](Complex z, Complex lambda, double t) -> Complex {
+                      return z * std::exp(std::abs(lambda) * t) *
+                             std::polar(1.0, std::arg(lambda) * t);
+                  }},
+                 {"lambda to the power of the time", "classic: a factor per second",
+                  "What should fade explodes.",
+                  "You multiply by lambda once a second. lambda z is what z changes by per "
+                  "second, at every moment: that makes an exponential.",
+                  [](Complex z, Complex lambda, double t) -> Complex {
+                      return z * std::pow(lambda, t);
                   }}},
             .alternatives = {{"the complex exponential",
                               [](Complex z, Complex lambda, double t) -> Complex {

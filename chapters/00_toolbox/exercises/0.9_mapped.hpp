@@ -12,7 +12,7 @@ struct Mapped {
     template <class Answer>
     static void ask(Paper& paper, const Answer& answer) {
         const Matrix2 one{{1.3, -0.7}, {2.1, 0.4}}, other{{-0.6, 1.8}, {0.9, 1.5}};
-        const Vector2 v{0.9, 1.6}, w{-1.2, 0.5};
+        const Vector2 v{0.9, 1.6}, w{-1.2, -0.5};
         for (const auto& [A, at] : {std::pair{one, v}, {one, w}, {other, v}}) {
             paper.input("A, by columns", A, "v", at);
             const Vector2 found = answer(A, at);

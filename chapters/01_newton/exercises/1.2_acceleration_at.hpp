@@ -79,7 +79,13 @@ struct AccelerationAt {
                   "You divide a velocity by dt. Only a change of velocity is an acceleration: "
                   "steady motion has none.",
                   [](const Vector3& before, const Vector3&, const Vector3& after, double dt)
-                      -> Vector3 { return velocity_between(before, after, 2 * dt) / dt; }}},
+                      -> Vector3 { return velocity_between(before, after, 2 * dt) / dt; }},
+                 {"a velocity, not an acceleration", "classic",
+                  "A body in steady motion seems to feel a force.",
+                  "The way from the first place to the last over the time between is a velocity. "
+                  "An acceleration is the change of one, so the middle place must enter.",
+                  [](const Vector3& before, const Vector3&, const Vector3& after,
+                     double dt) -> Vector3 { return (after - before) / (2 * dt); }}},
             .alternatives = {{"the second difference",
                               [](const Vector3& before, const Vector3& here, const Vector3& after,
                                  double dt) -> Vector3 {

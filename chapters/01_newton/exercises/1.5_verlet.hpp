@@ -151,6 +151,16 @@ struct Verlet {
                       drift(state, dt);
                       kick(state, push, dt);
                       return state;
+                  }},
+                 {"no kick before the drift", "classic: the mean force at the end",
+                  "The ball flies too high, as with Euler.",
+                  "You drift with the velocity of the start and kick afterwards with the mean of "
+                  "both forces. Half of the kick comes before the drift.",
+                  [](auto state, const auto& forces, double t, double dt) {
+                      const auto push = forces(state, t);
+                      drift(state, dt);
+                      kick(state, (push + forces(state, t + dt)) / 2, dt);
+                      return state;
                   }}},
             .alternatives = {{"the kicks cut up otherwise",
                               [](auto state, const auto& forces, double t, double dt) {

@@ -137,6 +137,23 @@ struct EulerStepWithin {
                   "divide the duration into whole steps: round their number up.",
                   [](double tolerance, const Vector3& acceleration, double duration) -> double {
                       return std::min(duration, 2 * tolerance / (acceleration.norm() * duration));
+                  }},
+                 {"the vertical part for the length", "classic: gravity points down",
+                  "A throw in the wind misses by more than the tolerance.",
+                  "You use the size of the acceleration's y component. The error is a vector "
+                  "along all of it: its length is what must stay within the tolerance.",
+                  [](double tolerance, const Vector3& acceleration, double duration) -> double {
+                      return duration /
+                             std::max(1.0, std::ceil(std::abs(acceleration.y()) * duration *
+                                                     duration / (2 * tolerance)));
+                  }},
+                 {"whole steps a second", "classic: frames per second",
+                  "The last step jumps beyond the end, or stops short of it.",
+                  "You round to a whole number of steps in a second. It is the duration that "
+                  "must be filled by whole steps: round the number that fits into it.",
+                  [](double tolerance, const Vector3& acceleration, double duration) -> double {
+                      return 1 / std::max(1.0, std::ceil(acceleration.norm() * duration /
+                                                         (2 * tolerance)));
                   }}},
             .alternatives = {{"by trying",
                               [](double tolerance, const Vector3& acceleration,

@@ -206,6 +206,16 @@ struct StepsDue {
                       const double due = std::floor(clock.owed / clock.step);
                       clock.owed -= due * clock.step;
                       return at_most(clock, due);
+                  }},
+                 {"the frame's time cut before it is booked", "classic: a clamp on dt",
+                  "After every long frame the picture jumps by a part of a step.",
+                  "You cut the frame's time at most_steps steps before you add it. What you cut "
+                  "off is no whole number of steps: the fraction in it should stay owed.",
+                  [](GameClock& clock, double frame_time) -> int {
+                      clock.owed += std::min(frame_time, clock.most_steps * clock.step);
+                      const double due = std::floor(clock.owed / clock.step);
+                      clock.owed -= due * clock.step;
+                      return at_most(clock, due);
                   }}},
             .alternatives = {{"one by one up to the limit",
                               [](GameClock& clock, double frame_time) -> int {

@@ -99,13 +99,23 @@ struct ExchangeMass {
                       body.momentum += dm * (velocity(body) - w);
                       body.mass += dm;
                   }},
-                 {"the momentum scaled with the mass", "classic",
-                  "Only things that are thrown forwards push.",
-                  "You keep the velocity and scale the momentum by the mass. The exchanged mass "
-                  "carries momentum of its own, dm (v + w).",
+                 {"w dm over the mass before", "classic: the limit dv = w dm/m",
+                  "A rocket of few parcels is too slow.",
+                  "In effect the velocity changes by w dm over the mass before, which is right "
+                  "for tiny parcels only. What body and parcel have together is then not kept: "
+                  "the body gains what the parcel carries, dm (v + w).",
                   [](Particle& body, double dm, const Vector3& w) {
                       body.momentum += dm * w;
                       body.momentum *= (body.mass + dm) / body.mass;
+                      body.mass += dm;
+                  }},
+                 {"w only where mass comes in", "classic: what leaves is left behind",
+                  "Rain slows the drop, and no rocket ever takes off.",
+                  "Where dm is negative you leave w out. What leaves moves at the body's "
+                  "velocity plus w too: that is what pushes a rocket.",
+                  [](Particle& body, double dm, const Vector3& w) {
+                      body.momentum +=
+                          dm * (dm > 0 ? Vector3(velocity(body) + w) : velocity(body));
                       body.mass += dm;
                   }}},
             .alternatives = {{"by the velocity after",

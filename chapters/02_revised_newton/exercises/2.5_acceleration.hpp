@@ -78,7 +78,19 @@ struct AccelerationWithFlow {
                  {"the thrust divided by the rate", "classic", "A weak engine pushes the most.",
                   "The thrust is w times mass_rate.",
                   [](const Vector3& force, double mass, const Vector3& w,
-                     double mass_rate) -> Vector3 { return (force + w / mass_rate) / mass; }}},
+                     double mass_rate) -> Vector3 { return (force + w / mass_rate) / mass; }},
+                 {"pushed against w always", "classic: a rocket taken for granted",
+                  "A drop that gathers rain from below is pulled down by it.",
+                  "You push against w whatever the sign of mass_rate. That is right where mass "
+                  "leaves; what comes in at w pushes along w.",
+                  [](const Vector3& force, double mass, const Vector3& w, double mass_rate)
+                      -> Vector3 { return (force - std::abs(mass_rate) * w) / mass; }},
+                 {"nothing comes in", "classic: a rocket taken for granted",
+                  "Rain does not slow the drop.",
+                  "You leave the thrust out where the body gains mass. What comes in at w pushes "
+                  "along w.",
+                  [](const Vector3& force, double mass, const Vector3& w, double mass_rate)
+                      -> Vector3 { return (force + std::min(0.0, mass_rate) * w) / mass; }}},
             .alternatives = {{"each part over the mass",
                               [](const Vector3& force, double mass, const Vector3& w,
                                  double mass_rate) -> Vector3 {

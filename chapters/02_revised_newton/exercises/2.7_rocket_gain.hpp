@@ -82,7 +82,22 @@ struct RocketGain {
                  {"the logarithm to base two", "classic", "The rocket is 1.4 times too fast.",
                   "You use the logarithm to base two. The integral of dm/m is the natural one, "
                   "std::log.",
-                  [](double u, double m0, double m) -> double { return u * std::log2(m0 / m); }}},
+                  [](double u, double m0, double m) -> double { return u * std::log2(m0 / m); }},
+                 {"over the mean mass", "classic: a mean for an integral",
+                  "A rocket that burns nearly all of itself is too slow.",
+                  "You divide all that is thrown out by the mean of the masses before and after. "
+                  "That is near for small parts only: each bit counts by the mass of its own "
+                  "moment.",
+                  [](double u, double m0, double m) -> double {
+                      return u * (m0 - m) / ((m0 + m) / 2);
+                  }},
+                 {"u before the first logarithm only", "classic: a bracket",
+                  "A rocket without propellant gains speed.",
+                  "The logarithm of a quotient is a difference of two, and u multiplies both: a "
+                  "bracket is missing.",
+                  [](double u, double m0, double m) -> double {
+                      return u * std::log(m0) - std::log(m);
+                  }}},
             .alternatives = {{"two logarithms",
                               [](double u, double m0, double m) -> double {
                                   return u * std::log(m0) - u * std::log(m);

@@ -88,6 +88,14 @@ struct PropellantFor {
                   "You use powers of two. The gain is a natural logarithm, its inverse std::exp.",
                   [](double gain, double u, double m0) -> double {
                       return m0 * (1 - std::exp2(-gain / u));
+                  }},
+                 {"everything in one parcel", "classic: one throw for a stream",
+                  "The planner asks for too little.",
+                  "You throw all of it at once: the momentum of one parcel against that of the "
+                  "rest. In a stream the early parts must speed up the later ones too, which "
+                  "takes more: it is exercise 2.7 solved for the mass.",
+                  [](double gain, double u, double m0) -> double {
+                      return m0 * gain / (gain + u);
                   }}},
             .alternatives = {{"expm1",
                               [](double gain, double u, double m0) -> double {

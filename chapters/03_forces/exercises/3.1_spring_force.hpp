@@ -155,6 +155,16 @@ struct SpringForce {
                       const double l = d.norm();
                       if (l == 0) return Vector3::Zero();
                       return -spring.stiffness * (l + spring.rest_length) * d / l;
+                  }},
+                 {"the rest length taken from every component", "classic: a number from a vector",
+                  "A slanting spring has another strength, and pulls askew.",
+                  "You take the rest length from x, y and z alike. It is a length: take it from "
+                  "the length, and go along the direction.",
+                  [](const Spring& spring, const Vector3& end,
+                     const Vector3& other_end) -> Vector3 {
+                      const Vector3 d = end - other_end;
+                      return -spring.stiffness *
+                             (d - spring.rest_length * d.array().sign().matrix());
                   }}},
             .alternatives =
                 {{"by a unit vector",

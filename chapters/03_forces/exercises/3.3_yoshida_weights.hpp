@@ -84,6 +84,15 @@ struct YoshidaWeights {
                   []() -> std::array<double, 3> {
                       const double r = std::cbrt(2.0), w1 = 1 / (2 - r);
                       return {w1, r * w1, w1};
+                  }},
+                 {"the weight of five steps", "classic: Suzuki's composition",
+                  "The method stays at second order.",
+                  "That is Suzuki's weight, 1/(4 - 4^(1/3)), for five steps, four of which have "
+                  "it. Here two have it: their cubes and that of the middle one must add up to "
+                  "zero.",
+                  []() -> std::array<double, 3> {
+                      const double w1 = 1 / (4 - std::cbrt(4.0));
+                      return {w1, 1 - 2 * w1, w1};
                   }}},
             .alternatives = {{"by Newton's method",
                               []() -> std::array<double, 3> {

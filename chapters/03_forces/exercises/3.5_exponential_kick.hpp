@@ -185,6 +185,29 @@ struct ExponentialKick {
                       state.position += state.velocity * dt * phi_1(-x) + a * dt * phi_2(-x);
                       state.velocity = state.velocity * std::exp(-x) + a * dt * phi_1(-x);
                       return state;
+                  }},
+                 {"the mean of both velocities", "classic: a trapezium for a curve",
+                  "Things that brake roll a little too far.",
+                  "The velocity is exact, and you drift with the mean of those at start and end. "
+                  "It falls along a curve, so its mean over the step is another one.",
+                  [](auto state, const auto& forces, double t, double dt) {
+                      const double x = forces.drag * dt / state.mass;
+                      const Vector3 a = force_at_rest(state, forces, t) / state.mass,
+                                    before = state.velocity;
+                      state.velocity = before * std::exp(-x) + a * dt * phi_1(-x);
+                      state.position += (before + state.velocity) / 2 * dt;
+                      return state;
+                  }},
+                 {"one implicit step", "classic: v /= 1 + x",
+                  "Things stop a little too late, and less so with smaller steps.",
+                  "You brake by 1/(1 + gamma dt/m). That never explodes, but it is one implicit "
+                  "step of first order; the velocity falls as an exponential.",
+                  [](auto state, const auto& forces, double t, double dt) {
+                      const Vector3 a = force_at_rest(state, forces, t) / state.mass;
+                      state.velocity =
+                          (state.velocity + a * dt) / (1 + forces.drag * dt / state.mass);
+                      state.position += state.velocity * dt;
+                      return state;
                   }}},
             .alternatives = {{"through the terminal velocity",
                               [](auto state, const auto& forces, double t, double dt) {

@@ -87,6 +87,22 @@ struct EulerLimit {
                   [](double omega, double nu) -> double {
                       if (nu * nu < 4 * omega * omega) return 2 / omega;
                       return 4 / (nu + std::sqrt(nu * nu - 4 * omega * omega));
+                  }},
+                 {"the limit of drag alone where it creeps", "classic",
+                  "Stable, at up to twice the cost.",
+                  "Where it swings you are right. Where it creeps you take the limit of the drag "
+                  "alone, but the faster of the two rates is less than nu, so the limit is "
+                  "larger.",
+                  [](double omega, double nu) -> double {
+                      return nu < 2 * omega ? nu / (omega * omega) : 2 / nu;
+                  }},
+                 {"omega not squared", "classic: a unit that does not fit",
+                  "A stiff spring explodes.",
+                  "Where it creeps you are right. Where it swings yours is nu over omega, a "
+                  "number without a unit: a step is a time.",
+                  [](double omega, double nu) -> double {
+                      if (nu * nu < 4 * omega * omega) return nu / omega;
+                      return 4 / (nu + std::sqrt(nu * nu - 4 * omega * omega));
                   }}},
             .alternatives = {{"by the rates",
                               [](double omega, double nu) -> double {

@@ -189,6 +189,25 @@ struct AtRestLength {
                       if (way.norm() == 0 || both == 0) return {a, b};
                       const Vector3 all = (way.norm() / rest_length - 1) * way;
                       return {a + inverse_mass_a / both * all, b - inverse_mass_b / both * all};
+                  }},
+                 {"one held end holds both", "classic: or for and",
+                  "Cloth stretches without end beside its hooks.",
+                  "Where one end is held you give back both. Then the other end has to go all of "
+                  "the way; only where both are held nothing moves.",
+                  [](const Vector3& a, const Vector3& b, double rest_length,
+                     double inverse_mass_a, double inverse_mass_b) -> Ends {
+                      if (inverse_mass_a == 0 || inverse_mass_b == 0) return {a, b};
+                      return at_rest_length(a, b, rest_length, inverse_mass_a, inverse_mass_b);
+                  }},
+                 {"half of what is too much", "classic: half for each, twice",
+                  "Cloth stretches like rubber.",
+                  "Your two shares together make up for half of what is too much. They must do "
+                  "it for all of it.",
+                  [](const Vector3& a, const Vector3& b, double rest_length,
+                     double inverse_mass_a, double inverse_mass_b) -> Ends {
+                      const Ends ends =
+                          at_rest_length(a, b, rest_length, inverse_mass_a, inverse_mass_b);
+                      return {(a + ends.a) / 2, (b + ends.b) / 2};
                   }}},
             .alternatives = {{"by the centre of mass",
                               [](const Vector3& a, const Vector3& b, double rest_length,

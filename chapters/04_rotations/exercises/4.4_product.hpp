@@ -123,6 +123,13 @@ struct Product {
                       const Vector3 u = first.vec(), v = second.vec();
                       const double a = first.w(), b = second.w();
                       return four_vector(b * u + a * v + 2 * v.cross(u), b * a - v.dot(u));
+                  }},
+                 {"the sandwich", "classic: how a vector is turned",
+                  "The second turn is never seen; only the axis of the first one is.",
+                  "You put the first turn between the second and its inverse. That turns the "
+                  "axis of the first turn and loses the second turn itself.",
+                  [](const Quaternion& second, const Quaternion& first) -> Quaternion {
+                      return second * first * second.conjugate();
                   }}},
             .alternatives =
                 {{"sixteen products",

@@ -140,6 +140,16 @@ struct Logarithm {
                       const double l = u.norm();
                       if (l == 0) return Vector3::Zero();
                       return 2 * std::asin(std::min(1.0, l)) / l * u;
+                  }},
+                 {"half a turn taken off", "classic: pi for 2 pi",
+                  "Tweens beyond half a turn stop somewhere else.",
+                  "You bring angles beyond half a turn down by pi. The pose comes back after a "
+                  "whole turn only, and what is left then is negative: the other way round.",
+                  [](const Quaternion& q) -> Vector3 {
+                      const double l = q.vec().norm();
+                      if (l == 0) return Vector3::Zero();
+                      const double angle = 2 * std::atan2(l, q.w());
+                      return (angle > pi ? angle - pi : angle) / l * q.vec();
                   }}},
             .alternatives = {{"the arc sine, and two cases",
                               [](const Quaternion& q) -> Vector3 {

@@ -115,6 +115,18 @@ struct Slerp {
                   "the turn that leads from one to the other.",
                   [](const Quaternion& from, const Quaternion& to, double part) -> Quaternion {
                       return product(exponential(part * logarithm(to)), from);
+                  }},
+                 {"the angle of the turn in the sines", "classic: half the angle forgotten",
+                  "The body changes its size on the way.",
+                  "Your formula of sines has the angle of the turn. The 4-vectors are half of it "
+                  "apart.",
+                  [](const Quaternion& from, const Quaternion& to, double part) -> Quaternion {
+                      const Quaternion end = nearer(from, to);
+                      const double angle = 2 * std::acos(std::min(1.0, from.dot(end)));
+                      if (angle < 1e-6) return from;
+                      return Quaternion((std::sin((1 - part) * angle) * from.coeffs() +
+                                         std::sin(part * angle) * end.coeffs()) /
+                                        std::sin(angle));
                   }}},
             .alternatives =
                 {{"Shoemake's sines",

@@ -11,6 +11,12 @@ struct Rk4Pose {
     template <class Answer>
     static void ask(Paper& paper, const Answer& answer) {
         ask_spin(paper, answer, 0.6);
+        const Quaternion q = Quaternion(0.4, 0.3, -0.5, 0.7).normalized();
+        const double large = paper.step(0.8);  // where the stages are not of length one
+        paper.input("q", q, "t", 0.6, "dt", large, "how far spin swings", 1.0);
+        paper.frame(q);
+        const Quaternion far = answer(q, Wobble{0.6}, 0.6, large);
+        paper.output("the pose", far, 1.0);
     }
 
 #ifndef NUTSHELL_SHEET
@@ -125,6 +131,17 @@ struct Rk4Pose {
                               (Quaternion(0, o.x(), o.y(), o.z()) * q).coeffs() / 2);
                       };
                       return Quaternion(rk4(Eigen::Vector4d(q.coeffs()), rate, t, dt));
+                  }},
+                 {"made of length one inside the rate", "classic: a pose must be of length one",
+                  "None to see: it is of fourth order too.",
+                  "You make the 4-vector as long as one inside the rate. Between start and end "
+                  "rk4 asks at places that are longer, and the rate of the four numbers is half "
+                  "of the product with them as they are.",
+                  [](const Quaternion& q, const auto& spin, double t, double dt) -> Quaternion {
+                      return runge_kutta(q, t, dt, [&](const Flat& y, double now) {
+                          const Quaternion pose = Quaternion(y).normalized();
+                          return rate_of(spin(pose, now), pose);
+                      });
                   }}},
             .alternatives = {{"four rates by hand",
                               [](const Quaternion& q, const auto& spin, double t,

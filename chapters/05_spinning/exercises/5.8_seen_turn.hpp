@@ -81,6 +81,14 @@ struct SeenTurn {
                   [](double turn, int spokes) -> double {
                       const double gap = 2 * pi / spokes;
                       return turn - gap * static_cast<int>(turn / gap + 0.5);
+                  }},
+                 {"divided by the spokes afterwards", "classic",
+                  "The more spokes, the slower the wheel seems.",
+                  "You take off whole turns and divide what is left by the number of spokes. "
+                  "What cannot be seen is a whole number of gaps between two spokes; the angle "
+                  "itself is not divided.",
+                  [](double turn, int spokes) -> double {
+                      return std::remainder(turn, 2 * pi) / spokes;
                   }}},
             .alternatives = {{"by the nearest whole number of spokes",
                               [](double turn, int spokes) -> double {

@@ -105,12 +105,23 @@ struct SteadyPrecession {
                       return {slow * c, fast * c};
                   }},
                  {"the root not taken", "classic", "A top goes round backwards.",
-                  "You add and subtract what stands under the root. Take std::sqrt of it first.",
+                  "What stands under the root is taken for the root itself: its std::sqrt is "
+                  "missing.",
                   [](T top, double L3, double angle) -> Rates {
                       const double c = std::cos(angle),
                                    root = L3 * L3 - 4 * top.across * top.weight * c;
                       return {(L3 - root) / (2 * top.across * c),
                               (L3 + root) / (2 * top.across * c)};
+                  }},
+                 {"the root not taken", "classic",
+                  "The top is sent round at a wrong speed, and nods.",
+                  "What stands under the root is taken for the root itself: its std::sqrt is "
+                  "missing.",
+                  [](T top, double L3, double angle) -> Rates {
+                      const double c = std::cos(angle),
+                                   root = L3 * L3 - 4 * top.across * top.weight * c,
+                                   far = L3 + std::copysign(root, L3);
+                      return {2 * top.weight / far, far / (2 * top.across * c)};
                   }}},
             .alternatives = {{"the school formula, and Vieta",
                               [](T top, double L3, double angle) -> Rates {

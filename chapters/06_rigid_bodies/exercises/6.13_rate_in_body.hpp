@@ -128,6 +128,15 @@ struct RateInBody {
                       FlatPinned other;
                       other << rate.tail<3>(), rate.head<4>();
                       return other;
+                  }},
+                 {"the rate of omega for that of M", "classic: L and omega mixed up",
+                  "Light tops fall too fast, heavy ones too slowly.",
+                  "You multiply the rate of M by the inverse moments. That makes it the rate of "
+                  "omega, an angular acceleration; the last three numbers hold M.",
+                  [](F y, V J, V torque) -> FlatPinned {
+                      return with(y, J, [&](Q q, V M, V w) -> Vector3 {
+                          return J.cwiseProduct(Vector3(M.cross(w) + q.conjugate() * torque));
+                      });
                   }}},
             .alternatives = {{"number by number",
                               [](F y, V J, V torque) -> FlatPinned {

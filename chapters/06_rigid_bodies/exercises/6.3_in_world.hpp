@@ -78,6 +78,14 @@ struct InWorld {
                   [](const Matrix3& inertia, const Matrix3& rotation) -> Matrix3 {
                       const Matrix3 all = rotation * inertia * rotation.transpose();
                       return all.diagonal().asDiagonal();
+                  }},
+                 {"the moments turned as a vector", "classic",
+                  "Bodies that have turned spin against every push.",
+                  "You turn the three numbers of the diagonal as if they were a vector. They are "
+                  "moments of a tensor, which is turned from both sides; and what stands beside "
+                  "the diagonal is lost.",
+                  [](const Matrix3& inertia, const Matrix3& rotation) -> Matrix3 {
+                      return Vector3(rotation * inertia.diagonal()).asDiagonal();
                   }}},
             .alternatives = {{"column by column",
                               [](const Matrix3& inertia, const Matrix3& rotation) -> Matrix3 {

@@ -93,6 +93,22 @@ struct InertiaAbout {
                   "You have the inertia of all the mass in the centre. Add the body's own.",
                   [](const MassProperties& body, const Vector3& point) -> Matrix3 {
                       return steiner(body.mass, point - body.centre);
+                  }},
+                 {"a difference of squares", "classic: (a - b)^2 is not a^2 - b^2",
+                  "The same door swings otherwise in another place of the level.",
+                  "You add what all the mass would have at the point, seen from the origin, and "
+                  "take off what it would have at the centre. What counts is the way from the "
+                  "one to the other, squared.",
+                  [](const MassProperties& body, const Vector3& point) -> Matrix3 {
+                      return body.inertia + steiner(body.mass, point) -
+                             steiner(body.mass, body.centre);
+                  }},
+                 {"the two places added", "E48: operator- adds",
+                  "A thing is harder to turn the further it lies from the middle of the level.",
+                  "You add the point and the centre. The way from the one to the other is their "
+                  "difference.",
+                  [](const MassProperties& body, const Vector3& point) -> Matrix3 {
+                      return body.inertia + steiner(body.mass, point + body.centre);
                   }}},
             .alternatives = {{"by the inertia about the origin, there and back",
                               [](const MassProperties& body, const Vector3& point) -> Matrix3 {

@@ -166,6 +166,34 @@ struct Joined {
                       Body whole = at_rest(bodies);
                       whole.angular_momentum = all_spin(bodies, whole.position);
                       return whole;
+                  }},
+                 {"the mean of the velocities", "classic",
+                  "A fly that sticks to a truck halves its speed.",
+                  "You give the whole the plain mean of the velocities. The heavier one counts "
+                  "more: it is the momenta that add up.",
+                  [](std::span<const Body> bodies) -> Body {
+                      Body whole = at_rest(bodies);
+                      whole.momentum = whole.mass / static_cast<double>(bodies.size()) *
+                                       sum(bodies, Vector3::Zero(),
+                                           [](const Body& b, const Vector3&) -> Vector3 {
+                                               return b.momentum / b.mass;
+                                           });
+                      whole.angular_momentum = all_spin(bodies, Vector3::Zero()) -
+                                               whole.position.cross(whole.momentum);
+                      return whole;
+                  }},
+                 {"the mean of the spins", "classic",
+                  "Two skaters who catch each other's hands in passing do not begin to turn.",
+                  "You let the whole spin with the mean of the angular velocities. What is kept "
+                  "is the angular momentum, with that of the centres on their ways; the spin "
+                  "follows from it.",
+                  [](std::span<const Body> bodies) -> Body {
+                      Body whole = at_rest(bodies);
+                      whole.momentum = all_momentum(bodies);
+                      const Vector3 omega =
+                          sum(bodies, Vector3::Zero(),
+                              [](const Body& b, const Vector3&) { return angular_velocity(b); });
+                      return spinning(whole, omega / static_cast<double>(bodies.size()));
                   }}},
             .alternatives = {{"arms from the common centre",
                               [](std::span<const Body> bodies) -> Body {

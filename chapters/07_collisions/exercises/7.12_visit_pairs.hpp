@@ -171,6 +171,17 @@ struct VisitPairs {
                               for (int dz = -1; dz <= 1; ++dz)
                                   grid.with_row(i, 0, x - 1, x + 1, y + dy, z + dz, visit);
                       });
+                  }},
+                 {"above, only the row straight above", "classic: 7 of the 13",
+                  "Balls pass through each other along some edges.",
+                  "In the layer above you look into the row straight above only. The rows beside "
+                  "that one, z - 1 and z + 1, have neighbours too.",
+                  [](const Grid& grid, const auto& visit) -> void {
+                      for_each_item(grid, [&](int i, int x, int y, int z) {
+                          grid.with_row(i, i + 1, x, x + 1, y, z, visit);
+                          grid.with_row(i, 0, x - 1, x + 1, y, z + 1, visit);
+                          grid.with_row(i, 0, x - 1, x + 1, y + 1, z, visit);
+                      });
                   }}},
             .alternatives = {{"the half below",
                               [](const Grid& grid, const auto& visit) -> void {

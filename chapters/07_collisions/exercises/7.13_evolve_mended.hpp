@@ -55,7 +55,8 @@ struct EvolveMended {
     /// How a wrong answer differs from the right one.
     struct Slip {
         bool centre = false, down_again = false, spin = false, left_in = false, slowed = false,
-             printed_order = false, fixed = false, weight = false, mirror = false;
+             printed_order = false, fixed = false, weight = false, mirror = false,
+             slowed_up = false;
     };
     static void with(const Slip& slip, const Universe& universe, Body& ball, double dt) {
         if (slip.printed_order) drift(ball, dt);
@@ -68,8 +69,10 @@ struct EvolveMended {
             ball.position.y() = 2 * surface - ball.position.y();
         else if (!slip.left_in)
             ball.position.y() = surface;
+        const double up = ball.momentum.y();
         if (ball.momentum.y() < 0 || slip.down_again)
             ball.momentum.y() *= slip.fixed ? -0.9 : -universe.restitution;
+        if (slip.slowed_up) ball.momentum.y() = universe.restitution * std::abs(up);
         if (slip.spin) ball.angular_momentum *= 0.9;
     }
     static auto wrong(const Slip& slip) {
@@ -124,7 +127,12 @@ struct EvolveMended {
                  {"mirrored at the floor", "classic", "Balls that lie still begin to hop.",
                   "You mirror the ball at the floor, which lifts it by twice its depth. Set it "
                   "on the floor.",
-                  wrong({.mirror = true})}},
+                  wrong({.mirror = true})},
+                 {"slowed down on its way up", "classic: e |p|",
+                  "A ball that has not left the floor after a step bounces lower.",
+                  "You give the momentum e of its size and send it up, whichever way it points. "
+                  "A ball that is rising has bounced already and keeps all of it.",
+                  wrong({.slowed_up = true})}},
             .alternatives = {{"the floor as an impact with the earth",
                               [](const Universe& universe, Body& ball, double dt) -> void {
                                   ball.momentum += universe.force * dt;

@@ -110,6 +110,22 @@ struct ImpactImpulse {
                   [](P a, P b, V n, double e) -> double {
                       const double s = separating_speed(a, b, n);
                       return s < 0 ? 0 : -(1 + e) * s / (1 / a.mass + 1 / b.mass);
+                  }},
+                 {"the root of e", "classic: restitution taken for an energy",
+                  "Balls bounce too high.",
+                  "You take the root of e, as if it were the part of the energy that is kept. "
+                  "Restitution is a ratio of speeds.",
+                  [](P a, P b, V n, double e) -> double {
+                      const double s = separating_speed(a, b, n);
+                      return s < 0 ? -(1 + std::sqrt(e)) * s / (1 / a.mass + 1 / b.mass) : 0;
+                  }},
+                 {"as if a were a wall", "classic: one mass only",
+                  "Balls hit each other too hard; walls are right.",
+                  "You weigh with the mass of b alone. That is right if a cannot move; a ball "
+                  "gives way too.",
+                  [](P a, P b, V n, double e) -> double {
+                      const double s = separating_speed(a, b, n);
+                      return s < 0 ? -(1 + e) * s * b.mass : 0;
                   }}},
             .alternatives = {{"by the lighter of both",
                               [](P a, P b, V n, double e) -> double {

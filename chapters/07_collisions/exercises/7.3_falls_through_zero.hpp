@@ -164,6 +164,32 @@ struct FallsThroughZero {
                       if (a < 0) return q > 0 ? c / q : q / a;
                       if (b < 0) return c / q;
                       return {};
+                  }},
+                 {"a rise taken for a fall", "classic: the first root that is not negative",
+                  "A ball that has left the floor meets it at once, or on its way out.",
+                  "You take the earlier root that is not negative. Where the distance begins at "
+                  "zero or below it may be one at which it rises: only a fall through zero "
+                  "counts.",
+                  [](double a, double b, double c) -> std::optional<double> {
+                      if (c <= 0 && (b < 0 || (b == 0 && a < 0))) return 0.0;
+                      if (a == 0) return b < 0 ? std::optional<double>(-c / b) : std::nullopt;
+                      const double square = b * b - 4 * a * c;
+                      if (square < 0) return {};
+                      const double q = -(b + std::copysign(std::sqrt(square), b)) / 2,
+                                   one = std::min(q / a, c / q), two = std::max(q / a, c / q);
+                      if (one >= 0) return one;
+                      if (two >= 0) return two;
+                      return {};
+                  }},
+                 {"small steps in time", "classic: a loop instead of a formula",
+                  "Thin things are missed, and late ones never found.",
+                  "You go on in small steps of time until the distance is negative. You come "
+                  "late by up to a step, miss what happens between two of them, and stop some "
+                  "day. The equation can be solved.",
+                  [](double a, double b, double c) -> std::optional<double> {
+                      for (double t = 0; t < 10; t += 0.001)
+                          if (a * t * t + b * t + c < 0) return t;
+                      return {};
                   }}},
             .alternatives = {{"root by root",
                               [](double a, double b, double c) -> std::optional<double> {

@@ -114,6 +114,17 @@ struct ApplyImpulse {
                       a.momentum += J, b.momentum -= J;
                       a.angular_momentum += (at.point - a.position).cross(J);
                       b.angular_momentum -= (at.point - b.position).cross(J);
+                  }},
+                 {"the torque in the body's axes", "classic: the wrong frame",
+                  "Only bodies that are turned spin off wrongly.",
+                  "You turn the change of the angular momentum into the body's axes. It is kept "
+                  "in the world's, as the lever and the impulse are.",
+                  [](B a, B b, C at, V J) {
+                      a.momentum -= J, b.momentum += J;
+                      a.angular_momentum -=
+                          a.orientation.conjugate() * (at.point - a.position).cross(J);
+                      b.angular_momentum +=
+                          b.orientation.conjugate() * (at.point - b.position).cross(J);
                   }}},
             .alternatives = {{"body by body",
                               [](B a, B b, C at, V J) {

@@ -62,12 +62,13 @@ struct Clipped {
 #ifndef NUTSHELL_SHEET
     struct Slip {
         bool no_cuts = false, other_side = false, half_way = false, wrong_end = false,
-             one_way = false, ignore_sign = false, open = false, outer = false, no_five = false;
+             one_way = false, ignore_sign = false, open = false, outer = false, no_five = false,
+             short_loop = false;
     };
     static Polygon with(const Slip& slip, const Polygon& from, int axis, double sign,
                         double limit, int side) {
         Polygon left;
-        for (int k = 0; k < from.size; ++k) {
+        for (int k = 0; k < from.size - (slip.short_loop ? 1 : 0); ++k) {
             const auto here = static_cast<std::size_t>(k),
                        next = static_cast<std::size_t>((k + 1) % from.size);
             const Vector3 &p = from.corner[here], &q = from.corner[next];
@@ -145,7 +146,12 @@ struct Clipped {
                   "Two contacts take over each other's past.",
                   "Where the outline comes back in, the name has a 5 added, so that no other "
                   "corner has it.",
-                  wrong({.no_five = true})}},
+                  wrong({.no_five = true})},
+                 {"the last corner is forgotten", "classic: k + 1 < size",
+                  "A box stands on three of its corners.",
+                  "Your loop ends before the last corner. It is lost, and so is the edge that "
+                  "leads from it back to the first one.",
+                  wrong({.short_loop = true})}},
             .alternatives = {{"from each corner back to the one before",
                               [](const Polygon& from, int axis, double sign, double limit,
                                  int side) -> Polygon {
