@@ -19,7 +19,8 @@ struct StepsDue {
     static void ask(Paper& paper, const Answer& answer) {
         // even frames, a short one, none, one far too long, and what comes after it
         ask_clock(paper, answer, {.step = 0.01, .owed = 0.0067, .most_steps = 5},
-                  {0.0141, 0.0171, 0.0172, 0.0038, 0.0, 0.0464, 0.1235, 0.0063, 0.0318});
+                  {0.0141, 0.0171, 0.0172, 0.0038, 0.0, 0.0464, 0.1235, 0.0063, 0.0318, 0.4172,
+                   0.0021});
         // all exact: a step that is just due, one that is not, the limit, one beyond it
         ask_clock(paper, answer, {.step = 1. / 64, .owed = 0, .most_steps = 3},
                   {1. / 64, 1. / 128, 1. / 128, 3. / 64, 4. / 64, 1.0, 1. / 32});
@@ -213,6 +214,17 @@ struct StepsDue {
                   "off is no whole number of steps: the fraction in it should stay owed.",
                   [](GameClock& clock, double frame_time) -> int {
                       clock.owed += std::min(frame_time, clock.most_steps * clock.step);
+                      const double due = std::floor(clock.owed / clock.step);
+                      clock.owed -= due * clock.step;
+                      return at_most(clock, due);
+                  }},
+                 {"the frame's time cut at a quarter of a second",
+                  "classic: the guard of many game loops",
+                  "After a very long frame the picture jumps by a part of a step.",
+                  "You cut long frames at a quarter of a second before you add them. What you "
+                  "cut off is no whole number of steps: the fraction in it should stay owed.",
+                  [](GameClock& clock, double frame_time) -> int {
+                      clock.owed += std::min(frame_time, 0.25);
                       const double due = std::floor(clock.owed / clock.step);
                       clock.owed -= due * clock.step;
                       return at_most(clock, due);

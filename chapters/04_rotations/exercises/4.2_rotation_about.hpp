@@ -21,7 +21,7 @@ struct RotationAbout {
 
     template <class Answer>
     static void ask(Paper& paper, const Answer& answer) {
-        const Vector3 unit = Vector3(1, -2, 3) / std::sqrt(14.0), longer(-0.7, 1.9, 1.3);
+        const Vector3 unit = Vector3(1, -2, 3) / std::sqrt(14.0), longer(-0.7, 1.9, -1.3);
         for (const Vector3& axis : {unit, longer})
             for (const double angle : {0.8, -2.3, 4.1}) {
                 paper.input("axis", axis, "angle", angle);

@@ -76,8 +76,8 @@ struct SeenTurn {
                       return std::abs(std::remainder(turn, 2 * pi / spokes));
                   }},
                  {"a half added, then cut", "classic", "Wheels that turn backwards jump.",
-                  "A cast to int cuts towards zero: adding a half rounds positive numbers only. "
-                  "std::round does both.",
+                  "You add a half and cut. A cast to int and std::fmod cut towards zero, so that "
+                  "rounds positive numbers only. std::round does both.",
                   [](double turn, int spokes) -> double {
                       const double gap = 2 * pi / spokes;
                       return turn - gap * static_cast<int>(turn / gap + 0.5);

@@ -109,7 +109,13 @@ struct SpinOf {
                       return rotation *
                              Vector3(
                                  (rotation.transpose() * L).cwiseQuotient(inertia.diagonal()));
-                  }}},
+                  }},
+                 {"L not brought into the body", "classic: half of the way",
+                  "Everything is right until the first body leans.",
+                  "You apply the inverse inertia of the body's axes to an L in the world's, and "
+                  "turn the result out. L has to come into the body first.",
+                  [](const Matrix3& inertia, const Matrix3& rotation, const Vector3& L)
+                      -> Vector3 { return rotation * Vector3(inertia.inverse() * L); }}},
             .alternatives = {{"by the inverse in world axes",
                               [](const Matrix3& inertia, const Matrix3& rotation,
                                  const Vector3& L) -> Vector3 {

@@ -68,6 +68,14 @@ struct ExplicitRotation {
                   "That is (32): first order in the angle. The exponential turns by all of it.",
                   [](V inertia, Quaternion& q, V L, double dt) {
                       q = small_turn(q, omega_of(inertia, q, L) * dt);
+                  }},
+                 {"L not brought into the body", "classic: half of the way",
+                  "Tilted bodies tumble wrongly.",
+                  "You divide L as it stands in the world by the moments of the body's axes, and "
+                  "turn the result out. L has to come into the body first.",
+                  [](V inertia, Quaternion& q, V L, double dt) {
+                      const Vector3 w = q * Vector3(L.cwiseQuotient(inertia));
+                      q = turn_by(w * dt) * q;
                   }}},
             .alternatives = {{"in the body's axes, on the right",
                               [](V inertia, Quaternion& q, V L, double dt) {

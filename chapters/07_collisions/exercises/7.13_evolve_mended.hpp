@@ -22,6 +22,7 @@ struct EvolveMended {
         one(paper, answer, {0.3, 0.6, -0.2}, {0.5, 0.6, 0.25}, 1, 0.75,
             {0.2, -4, 0.1});                                                   // slowly
         one(paper, answer, {0.3, -0.5, -0.2}, down, 1, 0.9, {0.2, -4, 0.1});   // centre below
+        one(paper, answer, {0.3, -2.5, -0.2}, down, 1, 0.75, {0.2, -4, 0.1});  // all of it below
         one(paper, answer, {0.3, 1.0, -0.2}, {0, 0, 0}, 1, 0.75, {0, -4, 0});  // at rest on it
     }
 

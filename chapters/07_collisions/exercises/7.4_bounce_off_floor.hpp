@@ -14,7 +14,7 @@ struct BounceOffFloor {
         BouncingBall level, low, large, lively, slanted;
         low.floor.offset = -0.3, large.ball.radius = 0.45;
         lively.restitution = 0.35;
-        slanted.floor = {Vector3(3, 6, -2) / 7, 0.2};
+        slanted.floor = {Vector3(3, 6, -2) / 7, 0.6};
         const Vector3 below(0.7, 0.04, -1.1), deep(0.7, -0.31, -1.1), above(0.7, 1.9, -1.1);
         const Vector3 down(1.2, -3.4, 0.8), up(1.2, 2.1, 0.8);
         for (const BouncingBall& scene : {level, low, large, lively, slanted})

@@ -14,7 +14,7 @@ struct MobilityOfPoint {
         Matrix3 W, V;
         W << 2.1, 0.3, -0.4, 0.3, 1.2, 0.5, -0.4, 0.5, 3.3;
         V << 0.8, -0.2, 0.1, -0.2, 2.7, 0.6, 0.1, 0.6, 1.4;
-        const Vector3 r(0.7, -1.1, 0.4), s(-0.3, 0.8, 1.6);
+        const Vector3 r(0.7, -1.1, 0.4), s(-0.3, 0.8, -1.6);
         ask_one(paper, answer, 0.4, W, r);
         ask_one(paper, answer, 1.9, W, r);
         ask_one(paper, answer, 0.4, V, r);

@@ -15,7 +15,7 @@ struct PlasticImpulse {
         K << 2.1, 0.4, -0.3, 0.4, 1.4, 0.5, -0.3, 0.5, 2.8;
         other << 1.2, -0.3, 0.2, -0.3, 2.2, -0.6, 0.2, -0.6, 1.9;
         pulls << 4.2, 3.6, 0.1, 3.6, 3.4, 0.2, 0.1, 0.2, 1.3;  // to stick it would have to pull
-        const Vector3 up(0, 1, 0), n = Vector3(2, 6, 3) / 7, u(1.3, -2.2, 0.9);
+        const Vector3 up(0, 1, 0), n = Vector3(2, 6, -3) / 7, u(1.3, -2.2, 0.9);
         ask_one(paper, answer, K, u, up, 0.9);
         ask_one(paper, answer, K, u, up, 0.1);
         ask_one(paper, answer, K, u, up, 0.3);
@@ -145,6 +145,17 @@ struct PlasticImpulse {
                       const double normal = n.dot(stick);
                       if ((stick - normal * n).norm() <= mu * std::abs(normal)) return stick;
                       return sliding_impulse(K, u, n, mu).value_or(smooth_impulse(K, u, n, 0));
+                  }},
+                 {"normal and friction each for itself",
+                  "classic: two impulses, one after the other",
+                  "A rod that lands askew still closes in, or leaves by itself.",
+                  "You find the normal impulse as if there were no friction, and friction as if "
+                  "nothing pressed. K mixes the two: each changes the velocity that the other is "
+                  "to undo.",
+                  [](M K, V u, V n, double mu) -> Vector3 {
+                      const double normal = -n.dot(u) / n.dot(K * n);
+                      const Vector3 slide = u - n.dot(u) * n, t = slide.normalized();
+                      return normal * n - std::min(mu * normal, slide.norm() / t.dot(K * t)) * t;
                   }}},
             .alternatives = {{"by the angle",
                               [](M K, V u, V n, double mu) -> Vector3 {
