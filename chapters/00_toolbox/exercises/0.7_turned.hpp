@@ -81,7 +81,7 @@ struct Turned {
                  {"the i forgotten", "classic: e to a real power",
                   "The wheel grows and never turns.",
                   "You multiply by e to the angle, a real number, which makes the point longer "
-                  "and never turns it. The i is missing.",
+                  "or shorter and never turns it. The i is missing.",
                   [](Complex z, double angle) -> Complex { return z * std::exp(angle); }},
                  {"the angle of the point by the arc cosine", "classic: acos for atan2",
                   "What is below is turned as if it were above.",

@@ -211,7 +211,7 @@ struct StepsDue {
                  {"the frame's time cut before it is booked", "classic: a clamp on dt",
                   "After every long frame the picture jumps by a part of a step.",
                   "You cut the frame's time at most_steps steps before you add it. What you cut "
-                  "off is no whole number of steps: the fraction in it should stay owed.",
+                  "off need not be a whole number of steps: the fraction in it should stay owed.",
                   [](GameClock& clock, double frame_time) -> int {
                       clock.owed += std::min(frame_time, clock.most_steps * clock.step);
                       const double due = std::floor(clock.owed / clock.step);
@@ -222,7 +222,8 @@ struct StepsDue {
                   "classic: the guard of many game loops",
                   "After a very long frame the picture jumps by a part of a step.",
                   "You cut long frames at a quarter of a second before you add them. What you "
-                  "cut off is no whole number of steps: the fraction in it should stay owed.",
+                  "cut off need not be a whole number of steps: the fraction in it should stay "
+                  "owed.",
                   [](GameClock& clock, double frame_time) -> int {
                       clock.owed += std::min(frame_time, 0.25);
                       const double due = std::floor(clock.owed / clock.step);
