@@ -94,6 +94,7 @@ std::string meaning_in_line(const std::string& message, const std::string& notes
         std::string name;
         for (std::size_t i = 1; i < found.size() && name.empty(); ++i) name = found[i].str();
         if (!contains(message, "of 'std'")) return unknown_name(name, reach, line, message);
+        return unknown_in_std(name);
     }
     return "";
 }

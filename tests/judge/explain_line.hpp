@@ -25,6 +25,8 @@ std::string meaning_in_line(const std::string& message, const std::string& notes
 std::string unknown_name(const std::string& name, const Reach& reach, const std::string& line,
                          const std::string& message);
 std::optional<std::string> unknown_member(const std::string& message, const Reach& reach);
+/// What is meant by a name that std lacks.
+std::string unknown_in_std(const std::string& name);
 
 /// Two operands side by side, as in `2 omega` or `u log(x)`; empty if there are none.
 std::string missing_sign(const std::string& line);

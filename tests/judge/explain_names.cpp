@@ -59,6 +59,7 @@ constexpr Pair dictionary[] = {
     {"length", "a member function: velocity.norm()"},
     {"dot", "a member function: a.dot(b)"},
     {"cross", "a member function: a.cross(b)"},
+    {"cuberoot", "std::cbrt"},
     {"arctan", "std::atan, and std::atan2(sine, cosine)"},
     {"arcsin", "std::asin"},
     {"arccos", "std::acos"},
@@ -198,6 +199,14 @@ std::string unknown_name(const std::string& name, const Reach& reach, const std:
     return "Nothing is called " + name + " here" +
            (other.empty() ? ": is it spelled right, and declared above this line?"
                           : ". Do you mean " + other + "?");
+}
+
+std::string unknown_in_std(const std::string& name) {
+    const std::string other = in(dictionary, name), near_by = nearest(name, {standard, std::end(standard)});
+    return "There is no std::" + name +
+           (!other.empty()     ? ". C++ has " + other + "."
+            : !near_by.empty() ? ". Do you mean std::" + near_by + "?"
+                               : ": is it spelled right?");
 }
 
 std::optional<std::string> unknown_member(const std::string& message, const Reach& reach) {

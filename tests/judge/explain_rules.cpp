@@ -38,6 +38,7 @@ std::string plain_types(std::string text) {
     text = replaced(text, "<unresolved overloaded function type>", "the name of a function");
     if (const auto option = text.find(" [-W"); option != std::string::npos) text.erase(option);
     text = std::regex_replace(text, convert, "could not convert $1");
+    text = replaced(text, "template arguments", "arguments in angle brackets");
     return replaced(replaced(text, "nutshell::exercises::", ""), "nutshell::", "");
 }
 
@@ -83,7 +84,7 @@ constexpr Rule rules[] = {
      "No $1 can be made of what stands in these braces: there are too many or too few values, in another "
      "order, "
      "or of other types."},
-    {R"(wrong number of template arguments \((\d+), should be (?:at least )?(\d+)\))",
+    {R"(wrong number of arguments in angle brackets \((\d+), should be (?:at least )?(\d+)\))",
      "In angle brackets stand $1 things, and this type takes $2: a std::array has a type and a size, and "
      "double "
      "is the type."},
@@ -94,8 +95,8 @@ constexpr Rule rules[] = {
     {R"(too (few|many) arguments to function)",
      "This function is called with too $1 values: look at its line in the header."},
     {R"(no match for call to)",
-     "This is called with other values than it takes (forces is called as forces(state, t)): see the comment "
-     "above the function."},
+     "This is called with other values than it takes (forces is called as forces(state, t), a spin as "
+     "spin(pose, t)): see the comment above the function."},
     {R"(no matching function for call to '(.*)'|no matching function for call to)",
      "No function can be called with these values: look at its line in the header."},
     {R"(redefinition of '(.*)'|redeclaration of '(.*)')", "$1$2 is defined twice."},
@@ -108,7 +109,7 @@ std::string meaning_of(const std::string& message) {
     for (const Rule& rule : rules)
         if (std::regex_search(message, found, std::regex(rule.says)))
             return std::regex_replace(replaced(found.format(rule.means), "const ", ""),
-                                      std::regex("where a ([AEIOaeio])"), "where an $1");
+                                      std::regex("where a (?:(an )|(?=[AEIOaeio]))"), "where an ");
     return "";
 }
 

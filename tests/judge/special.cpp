@@ -78,13 +78,14 @@ std::optional<Finding> special_inputs(const Evidence& evidence) {
             ++tries;
             const std::string of_those = "for " + std::to_string(with.bad) + " of the " +
                                          std::to_string(holds) + " inputs of that kind.";
-            if (with.bad == bad && chance(bad, holds, total) < least)
+            const bool rare = 3 * holds <= 2 * total;  // what most inputs have tells little
+            if (with.bad == bad && (rare || with.good == 0) && chance(bad, holds, total) < least)
                 least = chance(bad, holds, total),
                 best = {"wrong only where " + with.where,
                         {with.good == 0
                              ? "Your answer is right for every input but those where " + with.where + "."
                              : "It is wrong only where " + with.where + ": " + of_those}};
-            if (with.good == good && chance(good, holds, total) < least)
+            if (with.good == good && (rare || with.bad == 0) && chance(good, holds, total) < least)
                 least = chance(good, holds, total),
                 best = {"right only where " + with.where,
                         {with.bad == 0 ? "Your answer is right where " + with.where + ", and nowhere else."

@@ -127,6 +127,16 @@ struct AreaUnder {
                       double sum = 0;
                       for (int i = 0; i < strips; ++i) sum += std::abs(f(a + (i + 0.5) * w)) * w;
                       return sum;
+                  }},
+                 {"the borders for the middles", "classic: fence posts",
+                  "Everything is a strip too long.",
+                  "You take the height at every border, with a full width each: there is one "
+                  "border more than there are strips. Take the middles.",
+                  [](const auto& f, double a, double b, int strips) -> double {
+                      const double w = (b - a) / strips;
+                      double sum = 0;
+                      for (int i = 0; i <= strips; ++i) sum += f(a + i * w) * w;
+                      return sum;
                   }}},
             .alternatives = {{"walking along",
                               [](const auto& f, double a, double b, int strips) -> double {

@@ -114,6 +114,13 @@ struct Spiralled {
                   "second, at every moment: that makes an exponential.",
                   [](Complex z, Complex lambda, double t) -> Complex {
                       return z * std::pow(lambda, t);
+                  }},
+                 {"the cosine alone", "classic: the shadow of a turn",
+                  "The spring swings along a line in the plane.",
+                  "You multiply by the cosine only: that is the shadow of a turn. The turn "
+                  "itself has a sine beside it, in the imaginary part.",
+                  [](Complex z, Complex lambda, double t) -> Complex {
+                      return z * std::exp(lambda.real() * t) * std::cos(lambda.imag() * t);
                   }}},
             .alternatives = {{"the complex exponential",
                               [](Complex z, Complex lambda, double t) -> Complex {

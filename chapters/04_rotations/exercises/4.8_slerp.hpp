@@ -127,6 +127,14 @@ struct Slerp {
                       return Quaternion((std::sin((1 - part) * angle) * from.coeffs() +
                                          std::sin(part * angle) * end.coeffs()) /
                                         std::sin(angle));
+                  }},
+                 {"the body's turn about the world's axes",
+                  "classic: the inverse on the wrong side",
+                  "The camera ends where nobody sent it.",
+                  "The inverse of `from` stands on the right side for a turn about the body's "
+                  "axes, and you make that turn about the world's: on the left of `from`.",
+                  [](const Quaternion& from, const Quaternion& to, double part) -> Quaternion {
+                      return exponential(part * logarithm(from.conjugate() * to)) * from;
                   }}},
             .alternatives =
                 {{"Shoemake's sines",

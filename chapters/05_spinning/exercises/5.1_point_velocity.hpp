@@ -96,6 +96,13 @@ struct PointVelocity {
                   "both: the cross product.",
                   [](const Vector3& omega, const Quaternion& pose, const Vector3& p) -> Vector3 {
                       return omega.cwiseProduct(rotate(pose, p));
+                  }},
+                 {"along the arm", "classic: v = omega r",
+                  "Sparks fly straight out from the axis.",
+                  "omega r is the greatest speed, and no direction. A point goes at right angles "
+                  "to its arm and to omega.",
+                  [](const Vector3& omega, const Quaternion& pose, const Vector3& p) -> Vector3 {
+                      return omega.norm() * (pose * p);
                   }}},
             .alternatives =
                 {{"both in the body, the result turned",

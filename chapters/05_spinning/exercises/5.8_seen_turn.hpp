@@ -89,6 +89,13 @@ struct SeenTurn {
                   "itself is not divided.",
                   [](double turn, int spokes) -> double {
                       return std::remainder(turn, 2 * pi) / spokes;
+                  }},
+                 {"whole turns for spokes", "classic: two units mixed",
+                  "The wheel jumps by whole turns.",
+                  "You count how many gaps have gone by, and take as many whole turns away. A "
+                  "gap is 2 pi over the number of spokes.",
+                  [](double turn, int spokes) -> double {
+                      return turn - 2 * pi * std::round(turn * spokes / (2 * pi));
                   }}},
             .alternatives = {{"by the nearest whole number of spokes",
                               [](double turn, int spokes) -> double {

@@ -137,6 +137,14 @@ struct RateInBody {
                       return with(y, J, [&](Q q, V M, V w) -> Vector3 {
                           return J.cwiseProduct(Vector3(M.cross(w) + q.conjugate() * torque));
                       });
+                  }},
+                 {"omega handed over as M", "classic: two vectors mixed up",
+                  "The top nods at another pace.",
+                  "You hand omega to the gyroscopic term. It wants M, and finds omega by itself.",
+                  [](F y, V J, V torque) -> FlatPinned {
+                      return with(y, J, [&](Q q, V, V w) -> Vector3 {
+                          return w.cross(J.cwiseProduct(w)) + q.conjugate() * torque;
+                      });
                   }}},
             .alternatives = {{"number by number",
                               [](F y, V J, V torque) -> FlatPinned {

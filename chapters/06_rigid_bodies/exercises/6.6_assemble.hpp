@@ -240,6 +240,16 @@ struct Assemble {
                       return with(parts, centre, [&](const Part& part) -> Matrix3 {
                           return turned(part) + moved(mass, place_of(part) - centre);
                       });
+                  }},
+                 {"moved from the part's place", "classic: place for centre",
+                  "A part whose middle lies beside its handle counts as if it lay at the handle.",
+                  "You measure how far each inertia moves from the part's place. It was about "
+                  "the part's own centre, which lies elsewhere.",
+                  [](std::span<const Part> parts) -> MassProperties {
+                      const Vector3 centre = mean(parts);
+                      return with(parts, centre, [&](const Part& part) -> Matrix3 {
+                          return turned(part) + moved(part.body.mass, part.place - centre);
+                      });
                   }}},
             .alternatives = {{"about the origin, then moved to the centre",
                               [](std::span<const Part> parts) -> MassProperties {

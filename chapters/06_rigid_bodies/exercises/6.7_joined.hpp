@@ -194,6 +194,19 @@ struct Joined {
                           sum(bodies, Vector3::Zero(),
                               [](const Body& b, const Vector3&) { return angular_velocity(b); });
                       return spinning(whole, omega / static_cast<double>(bodies.size()));
+                  }},
+                 {"velocities for momenta", "classic: a lever of velocity",
+                  "Light and heavy things that catch each other turn alike.",
+                  "About the common centre each body has its momentum at its lever arm. You take "
+                  "its velocity: the mass is missing.",
+                  [](std::span<const Body> bodies) -> Body {
+                      Body whole = at_rest(bodies);
+                      whole.momentum = all_momentum(bodies);
+                      whole.angular_momentum = sum(
+                          bodies, whole.position, [](const Body& b, const Vector3& d) -> Vector3 {
+                              return b.angular_momentum + d.cross(b.momentum / b.mass);
+                          });
+                      return whole;
                   }}},
             .alternatives = {{"arms from the common centre",
                               [](std::span<const Body> bodies) -> Body {

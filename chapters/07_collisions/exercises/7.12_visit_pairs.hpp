@@ -182,6 +182,18 @@ struct VisitPairs {
                           grid.with_row(i, 0, x - 1, x + 1, y, z + 1, visit);
                           grid.with_row(i, 0, x - 1, x + 1, y + 1, z, visit);
                       });
+                  }},
+                 {"behind, nothing to the left", "classic: one edge forgotten",
+                  "Balls pass through each other across one edge of an invisible lattice.",
+                  "In the row behind you look at x and x + 1, not at x - 1. No other cube will "
+                  "look across that edge.",
+                  [](const Grid& grid, const auto& visit) -> void {
+                      for_each_item(grid, [&](int i, int x, int y, int z) {
+                          grid.with_row(i, i + 1, x, x + 1, y, z, visit);
+                          grid.with_row(i, 0, x, x + 1, y, z + 1, visit);
+                          for (int dz = -1; dz <= 1; ++dz)
+                              grid.with_row(i, 0, x - 1, x + 1, y + 1, z + dz, visit);
+                      });
                   }}},
             .alternatives = {{"the half below",
                               [](const Grid& grid, const auto& visit) -> void {

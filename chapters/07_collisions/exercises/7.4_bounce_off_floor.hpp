@@ -160,6 +160,16 @@ struct BounceOffFloor {
                       Particle earth{immovable};
                       collide(earth, body, scene.floor.normal, scene.restitution);
                       body.position += depth * scene.floor.normal;
+                  }},
+                 {"put above the world's origin",
+                  "classic: = for +=", "Every ball jumps to one place when it bounces.",
+                  "You set the ball's place anew, a radius above the origin of the axes. It is "
+                  "lifted by its depth, along the normal, from where it is.",
+                  [](S scene, P body) {
+                      if (depth_of(scene, body) < 0) return;
+                      Particle earth{immovable};
+                      collide(earth, body, scene.floor.normal, scene.restitution);
+                      body.position = scene.ball.radius * scene.floor.normal;
                   }}},
             .alternatives = {{"by hand",
                               [](S scene, P body) {

@@ -102,6 +102,20 @@ struct MobilityOfPoint {
                   "turns nothing: the matrix of r x stands on both sides of the inverse inertia.",
                   [](double m, M W, V r) -> Matrix3 {
                       return m * Matrix3::Identity() + r.squaredNorm() * W;
+                  }},
+                 {"the inverse inertia on the left", "classic: two factors exchanged",
+                  "Long bodies turn about an axis that nobody struck.",
+                  "An impulse becomes a torque first, then a spin, then a velocity, so the "
+                  "inverse inertia stands between the two matrices of r x.",
+                  [](double m, M W, V r) -> Matrix3 {
+                      return m * Matrix3::Identity() - W * cross(r) * cross(r);
+                  }},
+                 {"the inverse inertia on the right", "classic: two factors exchanged",
+                  "Long bodies turn about an axis that nobody struck.",
+                  "An impulse becomes a torque first, then a spin, then a velocity, so the "
+                  "inverse inertia stands between the two matrices of r x.",
+                  [](double m, M W, V r) -> Matrix3 {
+                      return m * Matrix3::Identity() - cross(r) * cross(r) * W;
                   }}},
             .alternatives = {{"column by column",
                               [](double m, M W, V r) -> Matrix3 {
