@@ -99,7 +99,7 @@ class Check {
                     if (!among(compiled, other)) compiled.push_back(other);
             std::sort(compiled.begin(), compiled.end());
 
-            const Sheets sheets(rooms_, chapter_, own_.overlay(broken_, for_a_grader_), for_a_grader_);
+            const Sheets sheets(rooms_, chapter_, own_.overlay(broken_, for_a_grader_));
             const Sheet sheet = sheets.compile(compiled, beyond);
             if (sheet.problem && sheet.problem->beyond && beyond) {
                 beyond = false;

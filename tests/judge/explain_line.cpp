@@ -80,6 +80,9 @@ std::string no_value(const std::string& message, const std::string& line, const 
 std::string meaning_in_line(const std::string& message, const std::string& notes, const std::string& line,
                             const Reach& reach) {
     if (const std::string meaning = no_value(message, line, reach); !meaning.empty()) return meaning;
+    if (contains(message, "expected") && !line.empty() && line.back() == ';' && !starts_with(line, "for") &&
+        std::count(line.begin(), line.end(), '(') > std::count(line.begin(), line.end(), ')'))
+        return "Count the round brackets: each ( needs its ).";
     if (const std::string meaning = by_signs(message, notes, line); !meaning.empty()) return meaning;
     static const std::regex missed(
         "expected '[;)}]'|expected ',' or ';'|numeric literal operator|invalid (suffix|digit)|"

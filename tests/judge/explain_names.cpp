@@ -35,7 +35,7 @@ constexpr Pair dictionary[] = {
     {"mod", "std::fmod(x, y), or std::remainder for the nearest"},
     {"ln", "std::log, the natural logarithm"},
     {"lg", "std::log10"},
-    {"sqr", "a product: x * x"},
+    {"sqr", "a product, x * x, for the square; the root is std::sqrt"},
     {"e", "std::exp(x) for e to the power x"},
     {"PI", "pi"},
     {"Pi", "pi"},
@@ -186,7 +186,7 @@ std::string unknown_name(const std::string& name, const Reach& reach, const std:
         if (name == in_std)
             return "Do you mean std::" + name + "? Names of the standard library begin with std::.";
     if (std::find(reach.names.begin(), reach.names.end(), name) != reach.names.end())
-        return "There is a " + name + ", but not here: what is used must be declared above this line.";
+        return name + " is known elsewhere, but not here: what is used must be declared above this line.";
     if ((name == "i" || name == "j") && !contains(line, "["))
         return "Nothing is called " + name +
                " here. The imaginary unit is Complex{0, 1}; a counter is declared "

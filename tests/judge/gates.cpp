@@ -22,13 +22,15 @@ std::vector<Number> numbers_in(const Herd& herd) {
     return all;
 }
 
-/// The headers with a switch over the mutants in each body.
-void write_headers(const Chapter& chapter, const std::vector<Marked>& sources, const fs::path& folder,
+/// The headers with the bodies of `sources`, and a switch over the mutants in each.
+void write_headers(const Chapter& chapter, const std::vector<Marked>& headers,
+                   const std::vector<Marked>& sources, const fs::path& folder,
                    const std::map<Number, std::vector<std::pair<std::size_t, Mutant>>>& alive) {
     write_if_changed(folder / "mutants_prelude.hpp", mutants_prelude);
     for (std::size_t i = 0; i < sources.size(); ++i) {
         std::map<Number, std::string> bodies;
         for (const Body& body : sources[i].bodies) {
+            bodies[body.number] = body.text;
             const auto found = alive.find(body.number);
             if (found == alive.end()) continue;
             std::vector<Mutant> mutants;
@@ -40,7 +42,7 @@ void write_headers(const Chapter& chapter, const std::vector<Marked>& sources, c
         }
         write_if_changed(folder / chapter.headers[i].path, "#include \"" +
                                                                (folder / "mutants_prelude.hpp").string() +
-                                                               "\"\n" + with_bodies(sources[i], bodies));
+                                                               "\"\n" + with_bodies(headers[i], bodies));
     }
 }
 
@@ -49,8 +51,9 @@ void write_headers(const Chapter& chapter, const std::vector<Marked>& sources, c
 void Herd::ask(const Rooms& rooms, const Chapter& chapter, const std::vector<Marked>& sources,
                const std::string& name,
                const std::function<void(Number, std::size_t, const SheetAnswer&)>& hear) {
-    const fs::path folder = rooms.work / name;
-    const Sheets sheets(rooms, chapter, folder);
+    const fs::path folder = rooms.work / chapter.folder / name;
+    const auto ahead = ahead_of(rooms, chapter, sources);
+    const Sheets sheets(rooms, chapter, {folder, ahead.has_value(), ahead});
     std::map<Number, std::vector<std::pair<std::size_t, Mutant>>> alive;
     std::vector<std::pair<Number, std::size_t>> by_id;
     for (const auto& [number, all] : mutants)
@@ -60,7 +63,7 @@ void Herd::ask(const Rooms& rooms, const Chapter& chapter, const std::vector<Mar
         }
     Sheet sheet;
     for (bool compiled = false; !compiled;) {
-        write_headers(chapter, sources, folder, alive);
+        write_headers(chapter, ahead ? ahead->skeletons : sources, sources, folder, alive);
         if (budget > 0 && seconds >= budget) return;
         const Ran ran = sheets.compile_quietly(numbers_in(*this), sheet, budget > 0 ? budget - seconds : 0);
         compiled = ran.exit_code == 0;

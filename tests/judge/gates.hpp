@@ -20,8 +20,8 @@ struct Herd {
     double budget = 0;   ///< of processor time [s], to compile (quickly, not optimised) and to run; 0: any
     double seconds = 0;  ///< used so far
 
-    /// Compiles them in place of the bodies of `sources` (one for each of the chapter's headers), in
-    /// rooms.work/`name`, and hands each one's answer to `hear`: its exercise, its place, its answer.
+    /// Compiles them in place of the bodies of `sources` (one for each of the chapter's headers), in a folder
+    /// `name` in rooms.work, and hands each one's answer to `hear`: its exercise, its place, its answer.
     void ask(const Rooms& rooms, const Chapter& chapter, const std::vector<Marked>& sources,
              const std::string& name,
              const std::function<void(Number, std::size_t, const SheetAnswer&)>& hear);

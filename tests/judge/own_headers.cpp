@@ -47,31 +47,39 @@ std::string OwnHeaders::changed_line(Number number) const {
     return "";
 }
 
-fs::path OwnHeaders::overlay(const std::vector<Number>& broken, bool for_a_grader) const {
-    if (!for_a_grader && broken.empty()) return {};
-    const fs::path folder = rooms.work / (for_a_grader ? "graded" : "overlay");
+Overlay OwnHeaders::overlay(const std::vector<Number>& broken, bool for_a_grader) const {
+    std::vector<Marked> sources;  // what the bodies stand in
+    bool all_there = true;
     for (std::size_t i = 0; i < files.size(); ++i) {
-        const Marked& own = files[i].source;
-        const Marked& reference = chapter.headers[i].reference;
-        const std::string file = files[i].path.string();
+        sources.push_back(for_a_grader ? chapter.headers[i].reference : files[i].source);
+        all_there = all_there && files[i].text && leads_out(rooms, files[i].path).empty();
+    }
+    Overlay overlay;
+    if (all_there || for_a_grader) overlay.ahead = ahead_of(rooms, chapter, sources);
+    if (overlay.ahead) sources = overlay.ahead->skeletons;
+    if (!for_a_grader && !overlay.ahead && broken.empty()) return {};
+    overlay.only = for_a_grader || overlay.ahead;
+    overlay.folder = rooms.work / chapter.folder / (for_a_grader ? "graded" : "own");
+    for (std::size_t i = 0; i < files.size(); ++i) {
+        if (!for_a_grader && !files[i].text) continue;
+        const std::string file = "\"" + files[i].path.string() + "\"\n", name = chapter.headers[i].path;
         std::map<Number, std::string> bodies;
-        for (const Body& body : reference.bodies) {
-            const Body* answer = own.body(body.number);
+        for (const Body& body : sources[i].bodies) {
+            const Body* answer = files[i].source.body(body.number);
             const bool out =
                 !answer || among(broken, body.number) || (for_a_grader && !not_a_body(answer->text).empty());
-            if (out)
-                bodies[body.number] = unanswered(body.number) + "\n";
-            else if (for_a_grader)
-                bodies[body.number] = "#line " + std::to_string(answer->begin + 2) + " \"" + file + "\"\n" +
-                                      answer->text + "#line 1 \"" + chapter.headers[i].path + "\"\n";
+            bodies[body.number] =
+                out ? unanswered(body.number) + "\n"
+                    : "#line " + std::to_string(answer->begin + 2) + " " + file + answer->text;
+            bodies[body.number] += for_a_grader ? "#line 1 \"" + name + "\"\n"
+                                   : answer     ? "#line " + std::to_string(answer->end + 1) + " " + file
+                                                : "";
         }
-        if (for_a_grader)
-            write_if_changed(folder / chapter.headers[i].path,
-                             "#include <nutshell/unanswered.hpp>\n" + with_bodies(reference, bodies));
-        else if (files[i].text)
-            write_if_changed(folder / chapter.headers[i].path, with_stand_ins(own, bodies, file));
+        write_if_changed(overlay.folder / name,
+                         (for_a_grader ? "#include <nutshell/unanswered.hpp>\n" : "#line 1 " + file) +
+                             with_bodies(sources[i], bodies));
     }
-    return folder;
+    return overlay;
 }
 
 bool OwnHeaders::reference_among(const std::vector<fs::path>& sources, Number number) const {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 #include "desk.hpp"
+#include "sheets.hpp"
 
 namespace nutshell::judge {
 
@@ -27,9 +28,10 @@ struct OwnHeaders {
     /// there.
     std::string changed_line(Number number) const;
 
-    /// Headers that go before the learner's: without what is broken; for a grader the course's own with the
-    /// learner's bodies in them, and nothing else of theirs. @return their folder, empty if none are needed
-    std::filesystem::path overlay(const std::vector<Number>& broken, bool for_a_grader) const;
+    /// What goes before the learner's headers: theirs without what is broken, and if they fit what is
+    /// compiled ahead, as declarations; for a grader the course's own with the learner's bodies in them, and
+    /// nothing else of theirs.
+    Overlay overlay(const std::vector<Number>& broken, bool for_a_grader) const;
 
     /// Whether one of these files is the course's own header although the learner has one: by include_next or
     /// the like.

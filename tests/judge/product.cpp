@@ -49,6 +49,10 @@ std::vector<fs::path> Product::sources() const {
     const fs::path list = file.string() + ".d";
     if (!fs::exists(list)) return {list};  // unknown: not fresh
     std::vector<fs::path> all;
+    for (const auto& word : command)  // what is linked; the file itself is none of it
+        if (const fs::path linked = word;
+            linked != file && (linked.extension() == ".o" || linked.extension() == ".a"))
+            all.push_back(linked);
     std::string text = replaced(read_text(list), "\\\n", " "), word;
     for (std::size_t i = text.find(": ") + 1; i < text.size(); ++i) {
         if (text[i] == '\\' && i + 1 < text.size())

@@ -6,6 +6,7 @@
 #include <random>
 #include <regex>
 #include <stdexcept>
+#include "compiler.hpp"
 #include "judge_config.hpp"
 #include "product.hpp"
 #include "text.hpp"
@@ -14,61 +15,28 @@ namespace nutshell::judge {
 
 namespace fs = std::filesystem;
 
-namespace {
-
-/// The build's own flags, and the folders that no chapter owns.
-std::vector<std::string> build_flags(const Rooms& rooms) {
-    std::vector<std::string> words;
-    for (const auto& flag : lines_of(CONFIG_FLAGS)) words.push_back(flag);
-    const auto system = lines_of(CONFIG_SYSTEM_FOLDERS);
-    for (const auto& folder : system) words.insert(words.end(), {"-isystem", folder});
-    const std::string chapters = (rooms.course / "chapters" / "").string();
-    for (const auto& folder : lines_of(CONFIG_FOLDERS))
-        if (!starts_with(folder, chapters) && std::find(system.begin(), system.end(), folder) == system.end())
-            words.push_back("-I" + folder);
+std::vector<std::string> Sheets::words_for(const std::vector<fs::path>& folders, bool optimised) const {
+    auto words = compiler_words(rooms_, optimised);
+    for (const auto& word : precompiled(rooms_, optimised)) words.push_back(word);
+    for (const auto& folder : folders) words.push_back("-I" + folder.string());
+    for (const auto& folder : chapter_folders(rooms_, chapter_.number)) words.push_back(folder);
+    words.push_back("-I" + (rooms_.course / "tests/judge").string());
     return words;
 }
 
-/// What the sheet and the precompiled header have in common: the build's own flags, and the sheet's.
-std::vector<std::string> compiler_words(const Rooms& rooms, bool optimised) {
-    std::vector<std::string> words{CONFIG_COMPILER};
-    for (const auto& flag : build_flags(rooms)) words.push_back(flag);
-    for (const auto& flag : {optimised ? "-O1" : "-O0", "-fno-finite-loops", "-fdiagnostics-color=never",
-                             "-DNUTSHELL_SHEET", "-DEIGEN_INITIALIZE_MATRICES_BY_NAN", "-Werror=return-type"})
-        words.emplace_back(flag);
-    return words;
-}
-
-/// The course's own folders up to this chapter.
-std::vector<std::string> chapter_folders(const Rooms& rooms, int last) {
-    std::vector<std::string> words;
-    for (const Chapter& chapter : chapters_of(rooms))
-        if (chapter.number <= last)
-            words.push_back("-I" + (rooms.course / "chapters" / chapter.folder).string());
-    return words;
-}
-
-fs::path precompiled(const Rooms& rooms, bool optimised) {
-    return rooms.shared / (optimised ? "everywhere.hpp" : "everywhere_plain.hpp");
-}
-
-}  // namespace
-
-bool Sheets::prepare(const Rooms& rooms, bool optimised) {
-    const Lock lock(rooms.shared);
-    const fs::path source = rooms.course / "tests/judge/everywhere.hpp";
-    const fs::path header = precompiled(rooms, optimised);
-    auto words = compiler_words(rooms, optimised);
-    words.insert(words.end(), {"-x", "c++-header", source.string(), "-MMD", "-MF", header.string() + ".gch.d",
-                               "-o", header.string() + ".gch"});
-    const Product product{header.string() + ".gch", words, {.wall_seconds = 300}};
-    if (product.is_fresh()) return false;
-    // the compiler looks for the precompiled header beside a file of this name, and falls back to the file
-    // itself
-    write_text(header, "#include \"" + source.string() + "\"\n");
-    const Ran ran = product.make();
-    if (ran.exit_code != 0) throw MachineFault("the precompiled header could not be made:\n" + ran.err);
-    return true;
+fs::path Sheets::questions(const std::string& name, const std::string& exercises) const {
+    const fs::path file = overlay_.ahead->for_questions.string() + "_" + name + ".o";
+    auto words = words_for({overlay_.ahead->for_questions}, true);
+    words.insert(words.end(), {"-DNUTSHELL_EXERCISES=\"" + file.string() + ".hpp\"", "-w", "-c",
+                               (rooms_.course / "tests/judge/sheet.cpp").string(), "-MMD", "-MF",
+                               file.string() + ".d", "-o", file.string()});
+    const Lock lock(rooms_.shared);
+    write_if_changed(file.string() + ".hpp", exercises);
+    const Product product{file, words, {.wall_seconds = 300}};
+    if (!product.is_fresh())
+        if (const Ran ran = product.make(); ran.exit_code != 0)
+            throw MachineFault("the questions could not be compiled:\n" + ran.err);
+    return file;
 }
 
 Product Sheets::product(const std::vector<Number>& numbers, bool beyond, bool optimised) const {
@@ -77,34 +45,51 @@ Product Sheets::product(const std::vector<Number>& numbers, bool beyond, bool op
     if (numbers.size() != chapter_.exercises.size())
         for (const Number number : numbers) name += "_" + std::to_string(number.exercise);
     if (!beyond) name += "_essentials";
-    if (!overlay_.empty()) name += "_" + overlay_.filename().string();
-    const fs::path list = rooms_.work / ("sheet_" + name + ".hpp"), program = rooms_.work / ("sheet_" + name);
-    std::string text;
-    for (const Number number : numbers)
-        text += "#include \"" + questions_file(rooms_, chapter_, number).string() + "\"\n";
-    write_if_changed(list, text);
+    std::string exercises;
+    std::set<std::string> headers;
+    const auto& ahead = overlay_.ahead;
+    bool apart = ahead.has_value();  // the questions are compiled ahead
+    for (const Number number : numbers) {
+        exercises += "#include \"" + questions_file(rooms_, chapter_, number).string() + "\"\n";
+        apart = apart && std::find(ahead->within.begin(), ahead->within.end(), number) == ahead->within.end();
+        if (apart) headers.merge(std::set(ahead->reads.at(number)));
+    }
+    std::vector<std::string> linked;
+    if (apart) linked.push_back(questions(name, exercises).string());
+    if (ahead) linked.insert(linked.end(), {ahead->bodies.string(), "-Wl,--gc-sections"});
+    for (const auto& library : lines_of(CONFIG_LIBRARIES)) linked.push_back(library);
 
-    auto words = compiler_words(rooms_, optimised);
-    words.insert(words.end(), {"-include", precompiled(rooms_, optimised).string(),
-                               "-DNUTSHELL_EXERCISES=\"" + list.string() + "\""});
+    if (!overlay_.folder.empty()) name += "_" + overlay_.folder.filename().string();
+    const fs::path program = rooms_.work / ("sheet_" + name),
+                   list = program.string() + (apart ? ".cpp" : ".hpp");
+    fs::path source = list;
+    if (apart) {
+        exercises.clear();
+        for (const auto& header : headers) exercises += "#include <" + header + ">\n";
+    } else {
+        source = rooms_.course / "tests/judge/sheet.cpp";
+    }
+    write_if_changed(list, exercises);
+
+    std::vector<fs::path> folders;
+    if (!overlay_.folder.empty()) folders.push_back(overlay_.folder);
+    if (!overlay_.only) folders.push_back(rooms_.answers / chapter_.folder);
+    if (ahead) folders.push_back(ahead->for_sheet);
+    auto words = words_for(folders, optimised);
+    if (!apart) words.push_back("-DNUTSHELL_EXERCISES=\"" + list.string() + "\"");
     if (!beyond) words.emplace_back("-DNUTSHELL_ESSENTIALS");
-    if (!overlay_.empty()) words.push_back("-I" + overlay_.string());
-    if (!overlay_only_) words.push_back("-I" + (rooms_.answers / chapter_.folder).string());
-    for (const auto& folder : chapter_folders(rooms_, chapter_.number)) words.push_back(folder);
-    words.push_back("-I" + (rooms_.course / "tests/judge").string());
     for (const auto* warning : {"-Wuninitialized", "-Wmaybe-uninitialized", "-Wunused-value", "-Wparentheses",
                                 "-Wfloat-conversion"})
         words.emplace_back(warning);
-    words.insert(words.end(), {(rooms_.course / "tests/judge/sheet.cpp").string(), "-MMD", "-MF",
-                               program.string() + ".d", "-o", program.string()});
-    for (const auto& library : lines_of(CONFIG_LIBRARIES)) words.push_back(library);
+    words.insert(words.end(),
+                 {source.string(), "-MMD", "-MF", program.string() + ".d", "-o", program.string()});
+    for (const auto& word : linked) words.push_back(word);
     return {program,
             words,
             {.wall_seconds = 180, .cpu_seconds = 60, .memory = std::size_t{4} << 30, .printed = 1 << 20}};
 }
 
 Sheet Sheets::compile(const std::vector<Number>& numbers, bool beyond) const {
-    prepare(rooms_);
     const Product made = product(numbers, beyond);
     Sheet sheet{made.file, {}, {}, false};
     const fs::path said = made.file.string() + ".said";
@@ -132,11 +117,12 @@ Sheet Sheets::compile(const std::vector<Number>& numbers, bool beyond) const {
 }
 
 Ran Sheets::compile_quietly(const std::vector<Number>& numbers, Sheet& sheet, double budget) const {
-    prepare(rooms_, budget == 0);
     Product made = product(numbers, budget == 0, budget == 0);
     made.command.emplace_back("-w");
     made.limits.printed = std::size_t{64} << 20;
-    if (budget > 0) made.limits.cpu_seconds = static_cast<unsigned>(std::ceil(budget)) + 1;
+    made.limits.cpu_seconds =
+        budget > 0 ? static_cast<unsigned>(std::ceil(budget)) + 1 : 600;  // a herd is long
+    made.limits.wall_seconds = 1200;
     sheet.program = made.file;
     return made.make();
 }
@@ -177,7 +163,6 @@ SheetAnswer Sheets::ask(const Sheet& sheet, Number number, unsigned cpu_seconds)
 }
 
 Sheet Sheets::compile_for_debugging(Number number) const {
-    prepare(rooms_);
     Product made = product({number}, true);
     made.file += "_debug";
     for (std::string& word : made.command) {

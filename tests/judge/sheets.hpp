@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <vector>
+#include "compiled_ahead.hpp"
 #include "explain_line.hpp"
 #include "product.hpp"
 #include "rooms.hpp"
@@ -49,17 +50,21 @@ struct SheetAnswer {
 /// Whether the same questions were answered otherwise when they were asked once more.
 bool remembers(const SheetAnswer& answer);
 
+/// Headers that go before the learner's.
+struct Overlay {
+    std::filesystem::path folder = {};  ///< its own name tells it from others; empty: none
+    bool only = false;                  ///< nothing of the learner's folder is read beside it
+    std::optional<Ahead> ahead = {};    ///< of its headers, if they are declarations
+};
+
 /// The flags with which an editor understands a chapter's answers (compile_flags.txt of clangd).
 std::vector<std::string> editor_flags(const Rooms& rooms, const Chapter& chapter);
 
 /// The compiler, its flags and folders for one learner's chapter.
 class Sheets {
   public:
-    /// @param overlay  a folder whose headers go before the learner's, if not empty
-    /// @param overlay_only  nothing of the learner's folder is read beside it
-    Sheets(const Rooms& rooms, const Chapter& chapter, const std::filesystem::path& overlay = {},
-           bool overlay_only = false)
-        : rooms_(rooms), chapter_(chapter), overlay_(overlay), overlay_only_(overlay_only) {}
+    Sheets(const Rooms& rooms, const Chapter& chapter, const Overlay& overlay = {})
+        : rooms_(rooms), chapter_(chapter), overlay_(overlay) {}
 
     /// One program for these exercises; compiled only if something it was made from has changed.
     /// @param beyond  false leaves out the questions that go beyond what a function must do
@@ -73,13 +78,13 @@ class Sheets {
     /// Turns what the compiler says into words. Public for the chapter's program on the learner's engine.
     CompileProblem explain(const std::string& said, const std::vector<Number>& numbers) const;
 
-    /// Makes the precompiled header if it is missing or out of date. @return whether it had to
-    static bool prepare(const Rooms& rooms, bool optimised = true);
-
     /// A file of the learner as they would name it: answers/01_newton/nutshell/newton.hpp
     std::string named(const std::string& file) const;
 
   private:
+    std::vector<std::string> words_for(const std::vector<std::filesystem::path>& folders,
+                                       bool optimised) const;
+    std::filesystem::path questions(const std::string& name, const std::string& exercises) const;
     Product product(const std::vector<Number>& numbers, bool beyond, bool optimised = true) const;
     CompileProblem cannot_be_called(const std::vector<std::string>& lines, const std::string& compiler,
                                     std::size_t at, const std::vector<Number>& numbers) const;
@@ -88,8 +93,7 @@ class Sheets {
 
     Rooms rooms_;
     Chapter chapter_;
-    std::filesystem::path overlay_;
-    bool overlay_only_;
+    Overlay overlay_;
 };
 
 }  // namespace nutshell::judge
