@@ -65,7 +65,8 @@ TEST_CASE("Attacks: the course's header by include_next, by its path, by a link,
     fs::remove(file);
     fs::create_symlink(reference, file);
     CHECK_FALSE(passes(learner));
-    CHECK_THAT(flat(learner.check_one(first).words), ContainsSubstring("links are followed inside answers/ only"));
+    CHECK_THAT(flat(learner.check_one(first).words),
+               ContainsSubstring("links are followed inside answers/ only"));
     fs::remove(file);
     learner.write(first, whole);
     with_top(learner, "#define nutshell mine");
