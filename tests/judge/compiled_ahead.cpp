@@ -12,7 +12,6 @@ namespace {
 
 /// A function that can be declared here and compiled elsewhere: inline, at the left margin, no template.
 struct Function {
-    std::string name;
     std::string head;               ///< the first line without attributes and without inline
     std::size_t first, open, last;  ///< lines, from 0: where it begins, and of its braces
     bool exercise;                  ///< its body holds one
@@ -35,26 +34,17 @@ bool is_end(const std::string& line) {
            ends_with(line, "{") || ends_with(line, "}");
 }
 
-/// The name in front of the first bracket, with all that qualifies it.
-std::string name_in(const std::string& head) {
-    const auto bracket = head.find('(');
-    if (bracket == std::string::npos) return "";
-    const auto begin = head.find_last_of(" *&", bracket);
-    return head.substr(begin + 1, bracket - begin - 1);
-}
-
 std::vector<Function> functions_of(const Marked& header) {
     std::vector<Function> all;
     const auto& lines = header.lines;
     for (std::size_t i = 0; i < lines.size(); ++i) {
-        Function found{"", behind_inline(lines[i]), i, i, i, false};
+        Function found{behind_inline(lines[i]), i, i, i, false};
         if (found.head.empty() || (i > 0 && !is_end(lines[i - 1]))) continue;
         std::string head = found.head;
         while (found.open + 1 < lines.size() && !is_end(lines[found.open])) head += " " + lines[++found.open];
-        found.name = name_in(head);
-        if (found.name.empty() || contains(found.name, "::") || names(head, "auto") ||
-            names(head, "constexpr") || !ends_with(head, ") {"))
-            continue;
+        const std::string before = head.substr(0, head.find('('));
+        const bool member = contains(before.substr(before.find_last_of(" *&") + 1), "::");
+        if (member || names(head, "auto") || names(head, "constexpr") || !ends_with(head, ") {")) continue;
         found.last = found.open;
         while (found.last + 1 < lines.size() && lines[found.last] != "}") ++found.last;
         found.exercise = std::any_of(header.bodies.begin(), header.bodies.end(), [&](const Body& body) {
@@ -183,11 +173,36 @@ void write_all(const fs::path& folder, const std::map<std::string, std::string>&
 
 }  // namespace
 
+bool Ahead::can_be_asked_from_outside(const std::vector<Number>& numbers) const {
+    return std::none_of(numbers.begin(), numbers.end(), [&](Number number) {
+        return std::find(templates.begin(), templates.end(), number) != templates.end();
+    });
+}
+
+std::string Ahead::headers_for(const std::vector<Number>& numbers) const {
+    std::set<std::string> all;
+    for (const Number number : numbers) all.insert(reads.at(number).begin(), reads.at(number).end());
+    std::string lines;
+    for (const auto& name : all) lines += "#include <" + name + ">\n";
+    return lines;
+}
+
 std::optional<Ahead> ahead_of(const Rooms& rooms, const Chapter& chapter, const std::vector<Marked>& own) {
+    const fs::path folder = rooms.shared / "ahead" / chapter.folder, source = folder / "bodies.cpp";
+    Ahead ahead{folder / "bodies.o", folder / "sheet", {}, folder / "questions"};
+    auto words = compiler_words(rooms, true);
+    for (const auto& word : precompiled(rooms, true)) words.push_back(word);
+    words.push_back("-I" + (folder / "bodies").string());
+    for (const auto& word : chapter_folders(rooms, chapter.number)) words.push_back(word);
+    // each function by itself, so that a sheet takes those that it calls
+    words.insert(words.end(), {"-w", "-ffunction-sections", "-c", source.string(), "-MMD", "-MF",
+                               ahead.bodies.string() + ".d", "-o", ahead.bodies.string()});
+
+    const Lock lock(rooms.shared);
+    fs::create_directories(folder);
     if (!fits(rooms, chapter, own)) return std::nullopt;
     Headers headers(rooms, chapter);
-    const fs::path folder = rooms.shared / "ahead" / chapter.folder, source = folder / "bodies.cpp";
-    Ahead ahead{folder / "bodies.o", folder / "sheet", {}, folder / "questions", {}, headers.reads};
+    ahead.reads = headers.reads;
     std::map<std::string, std::string> for_bodies, for_sheet, for_questions;
     std::string all;
     for (const auto& [name, header] : headers.all) {
@@ -197,25 +212,16 @@ std::optional<Ahead> ahead_of(const Rooms& rooms, const Chapter& chapter, const 
         for_sheet[name] = split(header, true, false);
         for_questions[name] = split(header, false, false);
     }
+    if (all.empty()) return std::nullopt;
     for (const auto& header : chapter.headers) {
         const auto found = for_sheet.find(header.path);
-        ahead.skeletons.push_back(
-            marked(found == for_sheet.end() ? skeleton(header.reference.text()) : found->second));
-        if (found == for_sheet.end())
-            for (const Body& body : header.reference.bodies) ahead.within.push_back(body.number);
-        else
+        const bool declared = found != for_sheet.end();
+        ahead.skeletons.push_back(marked(declared ? found->second : skeleton(header.reference.text())));
+        if (declared)
             for_sheet.erase(found);
+        else
+            for (const Body& body : header.reference.bodies) ahead.templates.push_back(body.number);
     }
-    if (all.empty()) return std::nullopt;
-
-    auto words = compiler_words(rooms, true);
-    for (const auto& word : precompiled(rooms, true)) words.push_back(word);
-    words.push_back("-I" + (folder / "bodies").string());
-    for (const auto& word : chapter_folders(rooms, chapter.number)) words.push_back(word);
-    // each function by itself, so that a sheet takes those that it calls
-    words.insert(words.end(), {"-w", "-ffunction-sections", "-c", source.string(), "-MMD", "-MF",
-                               ahead.bodies.string() + ".d", "-o", ahead.bodies.string()});
-    const Lock lock(rooms.shared);
     write_all(folder / "bodies", for_bodies);
     write_all(ahead.for_sheet, for_sheet);
     write_all(ahead.for_questions, for_questions);

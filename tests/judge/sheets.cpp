@@ -24,14 +24,16 @@ std::vector<std::string> Sheets::words_for(const std::vector<fs::path>& folders,
     return words;
 }
 
-fs::path Sheets::questions(const std::string& name, const std::string& exercises) const {
-    const fs::path file = overlay_.ahead->for_questions.string() + "_" + name + ".o";
+fs::path Sheets::questions(const std::string& name, const std::string& exercises, bool beyond) const {
+    const fs::path file = overlay_.ahead->for_questions.string() + "_" + name + ".o",
+                   list = file.string() + ".hpp";
     auto words = words_for({overlay_.ahead->for_questions}, true);
-    words.insert(words.end(), {"-DNUTSHELL_EXERCISES=\"" + file.string() + ".hpp\"", "-w", "-c",
-                               (rooms_.course / "tests/judge/sheet.cpp").string(), "-MMD", "-MF",
+    words.push_back("-DNUTSHELL_EXERCISES=\"" + list.string() + "\"");
+    if (!beyond) words.emplace_back("-DNUTSHELL_ESSENTIALS");
+    words.insert(words.end(), {"-w", "-c", (rooms_.course / "tests/judge/sheet.cpp").string(), "-MMD", "-MF",
                                file.string() + ".d", "-o", file.string()});
     const Lock lock(rooms_.shared);
-    write_if_changed(file.string() + ".hpp", exercises);
+    write_if_changed(list, exercises);
     const Product product{file, words, {.wall_seconds = 300}};
     if (!product.is_fresh())
         if (const Ran ran = product.make(); ran.exit_code != 0)
@@ -45,45 +47,37 @@ Product Sheets::product(const std::vector<Number>& numbers, bool beyond, bool op
     if (numbers.size() != chapter_.exercises.size())
         for (const Number number : numbers) name += "_" + std::to_string(number.exercise);
     if (!beyond) name += "_essentials";
+    const fs::path program =
+        rooms_.work /
+        ("sheet_" + name + (overlay_.folder.empty() ? "" : "_" + overlay_.folder.filename().string()));
     std::string exercises;
-    std::set<std::string> headers;
-    const auto& ahead = overlay_.ahead;
-    bool apart = ahead.has_value();  // the questions are compiled ahead
-    for (const Number number : numbers) {
+    for (const Number number : numbers)
         exercises += "#include \"" + questions_file(rooms_, chapter_, number).string() + "\"\n";
-        apart = apart && std::find(ahead->within.begin(), ahead->within.end(), number) == ahead->within.end();
-        if (apart) headers.merge(std::set(ahead->reads.at(number)));
-    }
-    std::vector<std::string> linked;
-    if (apart) linked.push_back(questions(name, exercises).string());
-    if (ahead) linked.insert(linked.end(), {ahead->bodies.string(), "-Wl,--gc-sections"});
-    for (const auto& library : lines_of(CONFIG_LIBRARIES)) linked.push_back(library);
-
-    if (!overlay_.folder.empty()) name += "_" + overlay_.folder.filename().string();
-    const fs::path program = rooms_.work / ("sheet_" + name),
-                   list = program.string() + (apart ? ".cpp" : ".hpp");
-    fs::path source = list;
-    if (apart) {
-        exercises.clear();
-        for (const auto& header : headers) exercises += "#include <" + header + ">\n";
-    } else {
-        source = rooms_.course / "tests/judge/sheet.cpp";
-    }
-    write_if_changed(list, exercises);
 
     std::vector<fs::path> folders;
     if (!overlay_.folder.empty()) folders.push_back(overlay_.folder);
     if (!overlay_.only) folders.push_back(rooms_.answers / chapter_.folder);
-    if (ahead) folders.push_back(ahead->for_sheet);
+    if (overlay_.ahead) folders.push_back(overlay_.ahead->for_sheet);
     auto words = words_for(folders, optimised);
-    if (!apart) words.push_back("-DNUTSHELL_EXERCISES=\"" + list.string() + "\"");
-    if (!beyond) words.emplace_back("-DNUTSHELL_ESSENTIALS");
-    for (const auto* warning : {"-Wuninitialized", "-Wmaybe-uninitialized", "-Wunused-value", "-Wparentheses",
-                                "-Wfloat-conversion"})
-        words.emplace_back(warning);
+    std::vector<std::string> objects;
+    if (overlay_.ahead && overlay_.ahead->can_be_asked_from_outside(numbers)) {
+        objects.push_back(questions(name, exercises, beyond).string());
+        const fs::path answers = program.string() + ".cpp";
+        write_if_changed(answers, overlay_.ahead->headers_for(numbers));
+        words.push_back(answers.string());
+    } else {
+        const fs::path list = program.string() + ".hpp";
+        write_if_changed(list, exercises);
+        words.push_back("-DNUTSHELL_EXERCISES=\"" + list.string() + "\"");
+        if (!beyond) words.emplace_back("-DNUTSHELL_ESSENTIALS");
+        words.push_back((rooms_.course / "tests/judge/sheet.cpp").string());
+    }
+    if (overlay_.ahead) objects.insert(objects.end(), {overlay_.ahead->bodies.string(), "-Wl,--gc-sections"});
     words.insert(words.end(),
-                 {source.string(), "-MMD", "-MF", program.string() + ".d", "-o", program.string()});
-    for (const auto& word : linked) words.push_back(word);
+                 {"-Wuninitialized", "-Wmaybe-uninitialized", "-Wunused-value", "-Wparentheses",
+                  "-Wfloat-conversion", "-MMD", "-MF", program.string() + ".d", "-o", program.string()});
+    for (const auto& object : objects) words.push_back(object);
+    for (const auto& library : lines_of(CONFIG_LIBRARIES)) words.push_back(library);
     return {program,
             words,
             {.wall_seconds = 180, .cpu_seconds = 60, .memory = std::size_t{4} << 30, .printed = 1 << 20}};

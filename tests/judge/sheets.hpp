@@ -84,7 +84,7 @@ class Sheets {
   private:
     std::vector<std::string> words_for(const std::vector<std::filesystem::path>& folders,
                                        bool optimised) const;
-    std::filesystem::path questions(const std::string& name, const std::string& exercises) const;
+    std::filesystem::path questions(const std::string& name, const std::string& exercises, bool beyond) const;
     Product product(const std::vector<Number>& numbers, bool beyond, bool optimised = true) const;
     CompileProblem cannot_be_called(const std::vector<std::string>& lines, const std::string& compiler,
                                     std::size_t at, const std::vector<Number>& numbers) const;

@@ -115,7 +115,10 @@ int verb_check(const Rooms& rooms, const std::string& which, const std::string& 
         std::erase_if(chapters,
                       [&](const Chapter& chapter) { return !fs::exists(rooms.answers / chapter.folder); });
     const Lock lock(rooms.work);  // one judge at a time in a folder of work
-    if (isatty(1) && !fs::exists(rooms.shared / "everywhere.hpp.gch"))
+    const auto is_new = [&](const Chapter& chapter) {
+        return !fs::exists(rooms.shared / "ahead" / chapter.folder);
+    };
+    if (isatty(1) && std::any_of(chapters.begin(), chapters.end(), is_new))
         std::cout << "The first check takes some seconds longer than the next ones.\n" << std::flush;
 
     Progress progress = Progress::read(rooms);
