@@ -95,7 +95,7 @@ void read_questions(const fs::path& file, std::set<std::string>& found) {
 class Headers {
   public:
     Headers(const Rooms& rooms, const Chapter& chapter)
-        : rooms_(rooms), chapter_(chapter), chapters_(chapters_of(rooms)) {
+        : chapter_(chapter), folders_(chapter_folders(rooms, chapter.number)) {
         for (const Number number : chapter.exercises) {
             read_questions(questions_file(rooms, chapter, number), reads[number]);
             for (const auto& name : reads[number]) read(name);
@@ -116,10 +116,8 @@ class Headers {
     void read(const std::string& name) {
         if (all.count(name)) return;
         fs::path file;
-        for (const Chapter& each : chapters_)
-            if (const fs::path here = rooms_.course / "chapters" / each.folder / name;
-                each.number <= chapter_.number && fs::exists(here))
-                file = here;
+        for (const fs::path& folder : folders_)
+            if (fs::exists(folder / name)) file = folder / name;
         if (file.empty()) return;  // not a chapter's
         const bool own = std::any_of(chapter_.headers.begin(), chapter_.headers.end(),
                                      [&](const auto& header) { return header.path == name; });
@@ -136,9 +134,8 @@ class Headers {
         for (const auto& other : header.includes) read(other);
     }
 
-    const Rooms& rooms_;
     const Chapter& chapter_;
-    std::vector<Chapter> chapters_;
+    std::vector<fs::path> folders_;
 };
 
 /// What is left of a header without its exercises and comments.
@@ -193,7 +190,7 @@ std::optional<Ahead> ahead_of(const Rooms& rooms, const Chapter& chapter, const 
     auto words = compiler_words(rooms, true);
     for (const auto& word : precompiled(rooms, true)) words.push_back(word);
     words.push_back("-I" + (folder / "bodies").string());
-    for (const auto& word : chapter_folders(rooms, chapter.number)) words.push_back(word);
+    for (const auto& each : chapter_folders(rooms, chapter.number)) words.push_back("-I" + each.string());
     // each function by itself, so that a sheet takes those that it calls
     words.insert(words.end(), {"-w", "-ffunction-sections", "-c", source.string(), "-MMD", "-MF",
                                ahead.bodies.string() + ".d", "-o", ahead.bodies.string()});

@@ -20,14 +20,6 @@ std::vector<std::string> build_flags(const Rooms& rooms) {
     return words;
 }
 
-std::vector<std::string> chapter_folders(const Rooms& rooms, int last) {
-    std::vector<std::string> words;
-    for (const Chapter& chapter : chapters_of(rooms))
-        if (chapter.number <= last)
-            words.push_back("-I" + (rooms.course / "chapters" / chapter.folder).string());
-    return words;
-}
-
 std::vector<std::string> compiler_words(const Rooms& rooms, bool optimised) {
     std::vector<std::string> words{CONFIG_COMPILER};
     for (const auto& flag : build_flags(rooms)) words.push_back(flag);

@@ -10,8 +10,6 @@ namespace nutshell::judge {
 
 /// The build's own flags, and the folders that no chapter owns.
 std::vector<std::string> build_flags(const Rooms& rooms);
-/// The course's own folders up to this chapter.
-std::vector<std::string> chapter_folders(const Rooms& rooms, int last);
 
 /// How all of a sheet is compiled: the compiler, the build's own flags, and the sheet's.
 std::vector<std::string> compiler_words(const Rooms& rooms, bool optimised);

@@ -82,13 +82,18 @@ const Chapter::Header& Chapter::header_of(Number exercise) const {
     throw std::runtime_error("there is no exercise " + exercise.text());
 }
 
-std::vector<Chapter> chapters_of(const Rooms& rooms) {
-    std::vector<Chapter> all;
+std::vector<fs::path> chapter_folders(const Rooms& rooms, int last) {
     std::vector<fs::path> folders;
     for (const auto& entry : fs::directory_iterator(rooms.course / "chapters"))
-        if (fs::is_directory(entry.path() / "nutshell")) folders.push_back(entry.path());
+        if (std::atoi(entry.path().filename().c_str()) <= last && fs::is_directory(entry.path() / "nutshell"))
+            folders.push_back(entry.path());
     std::sort(folders.begin(), folders.end());
-    for (const auto& folder : folders) {
+    return folders;
+}
+
+std::vector<Chapter> chapters_of(const Rooms& rooms) {
+    std::vector<Chapter> all;
+    for (const auto& folder : chapter_folders(rooms, 99)) {
         Chapter chapter{std::atoi(folder.filename().c_str()), folder.filename(), {}, {}};
         std::vector<fs::path> headers;
         for (const auto& entry : fs::directory_iterator(folder / "nutshell"))

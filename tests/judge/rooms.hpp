@@ -30,6 +30,8 @@ struct Chapter {
     const Header& header_of(Number exercise) const;
 };
 std::vector<Chapter> chapters_of(const Rooms& rooms);
+/// The folders of all chapters up to this one, in order.
+std::vector<std::filesystem::path> chapter_folders(const Rooms& rooms, int last);
 
 /// The file that asks an exercise, chapters/NN_name/exercises/N.M_*.hpp. @throws std::runtime_error if there
 /// is none

@@ -19,7 +19,8 @@ std::vector<std::string> Sheets::words_for(const std::vector<fs::path>& folders,
     auto words = compiler_words(rooms_, optimised);
     for (const auto& word : precompiled(rooms_, optimised)) words.push_back(word);
     for (const auto& folder : folders) words.push_back("-I" + folder.string());
-    for (const auto& folder : chapter_folders(rooms_, chapter_.number)) words.push_back(folder);
+    for (const auto& folder : chapter_folders(rooms_, chapter_.number))
+        words.push_back("-I" + folder.string());
     words.push_back("-I" + (rooms_.course / "tests/judge").string());
     return words;
 }
@@ -176,7 +177,7 @@ std::vector<std::string> editor_flags(const Rooms& rooms, const Chapter& chapter
     std::vector<std::string> words{"-xc++"};
     for (const auto& flag : build_flags(rooms)) words.push_back(flag);
     words.push_back("-I" + (rooms.answers / chapter.folder).string());
-    for (const auto& folder : chapter_folders(rooms, chapter.number)) words.push_back(folder);
+    for (const auto& folder : chapter_folders(rooms, chapter.number)) words.push_back("-I" + folder.string());
     words.emplace_back("-Wno-pragma-once-outside-header");
     return words;
 }
