@@ -131,8 +131,8 @@ struct Slerp {
                  {"the body's turn about the world's axes",
                   "classic: the inverse on the wrong side",
                   "The camera ends where nobody sent it.",
-                  "The inverse of `from` stands on the right side for a turn about the body's "
-                  "axes, and you make that turn about the world's: on the left of `from`.",
+                  "With the inverse of `from` on the left you have the turn about the body's "
+                  "axes, and you make it about the world's: before `from`, not behind it.",
                   [](const Quaternion& from, const Quaternion& to, double part) -> Quaternion {
                       return exponential(part * logarithm(from.conjugate() * to)) * from;
                   }}},
